@@ -1,0 +1,39 @@
+# Every third-party package, found once. All come from Debian 12 (scripts/deps.sh); nothing is fetched.
+find_package(PkgConfig REQUIRED)
+find_package(Threads REQUIRED)
+
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(tl-expected REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(CLI11 2.1 REQUIRED)
+pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
+
+# MUMPS ships no CMake or pkg-config file. The sequential build is the one Ipopt links.
+find_path(MUMPS_INCLUDE_DIR dmumps_c.h REQUIRED)
+find_library(MUMPS_LIBRARY dmumps_seq REQUIRED)
+add_library(mumps_seq INTERFACE)
+target_include_directories(mumps_seq SYSTEM INTERFACE ${MUMPS_INCLUDE_DIR})
+target_link_libraries(mumps_seq INTERFACE ${MUMPS_LIBRARY})
+
+# OpenMesh without its imported target's C++11 baggage: only OpenMeshCore, as a system include.
+find_path(OPENMESH_INCLUDE_DIR OpenMesh/Core/Mesh/PolyMesh_ArrayKernelT.hh REQUIRED)
+find_library(OPENMESH_CORE_LIBRARY OpenMeshCore REQUIRED)
+add_library(openmesh_core INTERFACE)
+target_include_directories(openmesh_core SYSTEM INTERFACE ${OPENMESH_INCLUDE_DIR})
+target_link_libraries(openmesh_core INTERFACE ${OPENMESH_CORE_LIBRARY})
+
+# Rendering without a display (EGL) and in the window.
+pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
+find_package(glm REQUIRED)
+find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
+
+if(PLANEWRIGHT_WINDOW)
+  # One call for all four: libimgui.a must stand before freetype on the link line.
+  pkg_check_modules(WINDOW REQUIRED IMPORTED_TARGET imgui freetype2 glfw3 epoxy)
+endif()
+if(PLANEWRIGHT_TESTS)
+  find_package(GTest REQUIRED)
+endif()
+if(PLANEWRIGHT_BENCH)
+  find_package(benchmark REQUIRED)
+endif()

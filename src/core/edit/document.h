@@ -1,0 +1,74 @@
+// Document: one design as the designer edits it: mesh, settings, name, and what can be undone.
+//
+// Every change goes through a member here, which records how to take it back. Consecutive changes of the same
+// setting (a slider being dragged) are one step of undo: `merge_key` says which belong together, and `end_merge()`
+// (the mouse button goes up) closes the step. The mesh is shared as const, so that a solve on another thread keeps
+// the one it began with.
+// Threads: one thread (the window's, or the command line's).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+#include "core/mesh/health_report.h"
+#include "core/mesh/polygon_mesh.h"
+#include "core/solve/design_settings.h"
+
+namespace planewright {
+
+class Document {
+ public:
+  Document() = default;
+
+  // Replaces everything; the undo history begins anew. `name`: shown in the title ("train-station.off").
+  // Mode and weights start at `settings`.
+  void open(CheckedMesh mesh, std::string name, DesignSettings settings);
+
+  bool empty() const { return mesh_ == nullptr; }
+  const std::shared_ptr<const PolygonMesh>& mesh() const { return mesh_; }
+  const HealthReport& health() const { return health_; }
+  const DesignSettings& settings() const { return settings_; }
+  const std::string& name() const { return name_; }
+  // Grows with every change of mesh or settings, undo and redo included: what is shown is stale if it was solved
+  // for another revision.
+  std::uint64_t revision() const { return revision_; }
+
+  // Flips a mesh edge. Refused with the reason (border, not between two triangles, the new edge exists already).
+  Result<void> flip_edge(int edge);
+  // Changes the settings; `what` names the step for the Edit menu ("Weight of fairing"); equal keys merge until
+  // end_merge(). No change, no step.
+  void change_settings(DesignSettings settings, std::string what, std::string merge_key = {});
+  void end_merge();
+
+  bool can_undo() const;
+  bool can_redo() const;
+  std::string undo_name() const;  // "Flip edge 1042"; empty if there is none
+  std::string redo_name() const;
+  void undo();
+  void redo();
+
+ private:
+  struct Step {
+    std::string what;
+    std::string merge_key;
+    std::shared_ptr<const PolygonMesh> mesh_before, mesh_after;
+    DesignSettings settings_before, settings_after;
+  };
+  void push(Step step);
+  void apply(const std::shared_ptr<const PolygonMesh>& mesh, const DesignSettings& settings);
+
+  std::shared_ptr<const PolygonMesh> mesh_;
+  HealthReport health_;
+  DesignSettings settings_;
+  std::string name_;
+  std::uint64_t revision_ = 0;
+  std::vector<Step> steps_;
+  std::size_t done_ = 0;  // steps_[0 .. done_) are in force, the rest can be redone
+  bool merging_ = false;
+};
+
+}  // namespace planewright

@@ -1,0 +1,47 @@
+// SolveReport: how a solve ended, in words a person understands, with the best state it had.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/complex/state.h"
+
+namespace planewright {
+
+enum class SolveStatus {
+  Converged,      // feasible and first-order stationary to the tolerances
+  Planar,         // the panels are planar, but the energy was still moving: stopped by a limit or a stall
+  Stopped,        // by the user; the best state so far is kept
+  NotPlanar,      // no planar state was reached
+  Infeasible,     // the demands contradict each other (locally)
+  Failed,         // numerical breakdown, out of memory; see stop_reason
+};
+const char* name(SolveStatus status);  // "converged", "planar, not converged", ...
+
+struct SolveReport {
+  SolveStatus status = SolveStatus::Failed;
+  std::string stop_reason;  // one sentence
+  std::string solver;       // "ipopt"
+  int iterations = 0;
+  double seconds = 0.0;     // wall
+  // After the final projection, at the reported state:
+  double first_order_residual = 0.0;  // inf-norm of the Lagrangian's gradient, weights as given, lengths in mean edges
+  double incidence_residual = 0.0;    // largest |n.(x - v) - h|, mean edges
+  double projection_move = 0.0;       // farthest that the projection moved a point, mean edges
+  struct Energy {
+    std::string name;
+    double weight, value;  // value: weighted contribution to the objective
+  };
+  std::vector<Energy> energies;
+  struct Constraint {
+    std::string name;
+    double max_violation;  // mean edges (or unit-free, as the constraint says)
+    int violated;          // rows beyond the tolerance
+  };
+  std::vector<Constraint> constraints;
+  State state;        // model units, like every State
+  Vector multipliers; // of the problem's constraint rows (normalised units), for warm starts; may be empty
+};
+
+}  // namespace planewright

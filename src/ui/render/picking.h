@@ -1,0 +1,29 @@
+// Picking by casting a ray on the CPU: cheaper than an identity buffer on software renderers (measured: 0.3 ms for
+// 20k triangles) and testable without OpenGL.
+#pragma once
+
+#include <optional>
+
+#include "ui/render/camera.h"
+#include "ui/render/scene.h"
+
+namespace planewright::render {
+
+struct Hit {
+  int polygon;
+  Vector3d position;
+  double distance;  // along the ray
+};
+// The nearest polygon that the ray meets, from either side.
+std::optional<Hit> pick_polygon(const PolygonLayer& layer, const Ray& ray);
+
+// The edge nearest to `pixel` on the screen within `radius` pixels, among `edges` (pairs of rows of `points`),
+// that is not hidden behind `occluder` (may be null). Returns an index into `edges`.
+std::optional<int> pick_edge(const Points& points, const std::vector<std::pair<int, int>>& edges,
+                             const Camera& camera, glm::vec2 pixel, float radius, const PolygonLayer* occluder);
+
+// The point nearest to `pixel` within `radius` pixels that is not hidden behind `occluder`.
+std::optional<int> pick_point(const Points& points, const Camera& camera, glm::vec2 pixel, float radius,
+                              const PolygonLayer* occluder);
+
+}  // namespace planewright::render

@@ -1,0 +1,52 @@
+// Scene: what the viewport and the command line's pictures show, as plain arrays. The renderer draws it, picking
+// casts rays at it; neither knows complexes or solvers.
+//
+// Units: model units relative to `origin` of the design (float on the GPU would lose far-away models otherwise).
+// Threads: plain values.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+
+namespace planewright::render {
+
+// A set of polygons: the panels, or the ghost of the input.
+struct PolygonLayer {
+  Points points;      // #N x 3
+  Polygons polygons;  // #P
+  // Optional scalar per polygon (#P) or per point (#N) to colour by; empty: plain card colour.
+  Vector polygon_values;
+  Vector point_values;
+};
+
+struct Marker {
+  Vector3d position;
+  enum class Kind { Warning, Error, Selected } kind;
+};
+
+struct Segment {
+  Vector3d a, b;
+  enum class Kind { Suggested, Hovered, Selected } kind;
+};
+
+// The colour map's range and what its legend says.
+struct ColourScale {
+  double low = 0.0, high = 1.0;  // model units
+  std::string quantity;          // "Planarity"
+  std::string unit;              // "mm", "m"
+  std::optional<double> tolerance;  // a hard break in the map here
+};
+
+struct Scene {
+  std::optional<PolygonLayer> panels;
+  std::optional<PolygonLayer> ghost;  // the input, drawn as a faint blue wire with a hint of faces
+  std::vector<Marker> markers;
+  std::vector<Segment> segments;
+  std::optional<ColourScale> colours;  // set when panels carry values
+};
+
+}  // namespace planewright::render
