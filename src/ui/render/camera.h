@@ -18,10 +18,16 @@ struct Ray {
 class Camera {
  public:
   void set_viewport(int width, int height);  // pixels, > 0
-  // Looks at the whole box from the present direction, with a little air round it.
+  // Looks at the whole box from the present direction, with a little air round it. Nothing changes when the
+  // box is empty or not finite.
   void fit(const Vector3d& low, const Vector3d& high);
-  // The standard three-quarter view from above, front-left.
+  // The same for points (#N x 3), which is tighter than their box. Rows that are not finite are left out.
+  void fit(const Points& points);
+  // The standard three-quarter view from above, front-left (the front looks along +y).
   void reset_direction();
+  // Looks from a direction given as azimuth (radians from +x round z) and elevation (radians above the
+  // ground).
+  void set_direction(double azimuth, double elevation);
 
   // Orbits by a mouse move (pixels) round `pivot`, which keeps its place on the screen.
   void orbit(glm::vec2 pixels, const Vector3d& pivot);
@@ -29,21 +35,33 @@ class Camera {
   void pan(glm::vec2 pixels, const Vector3d& anchor);
   // Zooms by a factor (> 1: closer), keeping what is under `pixel` there.
   void zoom(double factor, glm::vec2 pixel);
+  // Zooms towards a point, which keeps its place on the screen and may be approached without end.
+  void zoom(double factor, const Vector3d& anchor);
 
   glm::mat4 view() const;
   glm::mat4 projection() const;  // near and far fitted to the box of the last fit()
   Ray ray(glm::vec2 pixel) const;
-  glm::vec2 project(const Vector3d& point) const;  // to pixels
+  glm::vec2 project(const Vector3d& point) const;  // to pixels; far outside for points behind the eye
+  double depth(const Vector3d& point) const;       // distance in front of the eye along the view, < 0 behind
   double pixel_size_at(const Vector3d& point) const;  // scene units that one pixel covers there
 
   Vector3d eye() const;
   Vector3d target() const { return target_; }
+  Vector3d forward() const;  // unit, into the screen
+  Vector3d right() const;    // unit, horizontal
+  Vector3d up() const;       // unit, towards the top of the screen
+  int width() const { return width_; }
+  int height() const { return height_; }
 
  private:
+  void fit(const Points& points, const Vector3d& low, const Vector3d& high);
+  void set_eye(const Vector3d& eye) { target_ = eye + distance_ * forward(); }
+  double half_height() const;  // of the image plane at unit distance
+
   Vector3d target_ = Vector3d::Zero();
   double distance_ = 10.0;
-  double azimuth_ = -0.9, elevation_ = 0.6;  // radians
-  double field_of_view_ = 0.6;               // vertical, radians
+  double azimuth_ = -2.15, elevation_ = 0.55;  // radians
+  double field_of_view_ = 0.6;                 // vertical, radians
   double scene_radius_ = 1.0;
   Vector3d scene_centre_ = Vector3d::Zero();
   int width_ = 1, height_ = 1;

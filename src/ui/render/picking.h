@@ -1,8 +1,12 @@
-// Picking by casting a ray on the CPU: cheaper than an identity buffer on software renderers (measured: 0.3 ms for
-// 20k triangles) and testable without OpenGL.
+// Picking by casting a ray on the CPU: cheaper than an identity buffer on software renderers (measured: 0.3
+// ms for 20k triangles) and testable without OpenGL.
+//
+// Units: scene units, pixels as in camera.h. Threads: no shared state.
 #pragma once
 
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "ui/render/camera.h"
 #include "ui/render/scene.h"
@@ -14,15 +18,19 @@ struct Hit {
   Vector3d position;
   double distance;  // along the ray
 };
-// The nearest polygon that the ray meets, from either side.
+// The nearest polygon that the ray meets, from either side; of equally near ones the first.
 std::optional<Hit> pick_polygon(const PolygonLayer& layer, const Ray& ray);
 
-// The edge nearest to `pixel` on the screen within `radius` pixels, among `edges` (pairs of rows of `points`),
-// that is not hidden behind `occluder` (may be null). Returns an index into `edges`.
+// The edge nearest to `pixel` on the screen within `radius` pixels, among `edges` (pairs of rows of
+// `points`), that is not hidden behind `occluder` (may be null). Returns an index into `edges`. Hidden means
+// that a polygon stands more than half the edge's length before it: design edges lie a little beneath the
+// panels that touch the surface between them, and must stay in reach.
 std::optional<int> pick_edge(const Points& points, const std::vector<std::pair<int, int>>& edges,
-                             const Camera& camera, glm::vec2 pixel, float radius, const PolygonLayer* occluder);
+                             const Camera& camera, glm::vec2 pixel, float radius,
+                             const PolygonLayer* occluder);
 
-// The point nearest to `pixel` within `radius` pixels that is not hidden behind `occluder`.
+// The point nearest to `pixel` within `radius` pixels that is not hidden behind `occluder` (by more than what
+// two radii measure there).
 std::optional<int> pick_point(const Points& points, const Camera& camera, glm::vec2 pixel, float radius,
                               const PolygonLayer* occluder);
 

@@ -1,8 +1,8 @@
-// Scene: what the viewport and the command line's pictures show, as plain arrays. The renderer draws it, picking
-// casts rays at it; neither knows complexes or solvers.
+// Scene: what the viewport and the command line's pictures show, as plain arrays. The renderer draws it,
+// picking casts rays at it; neither knows complexes or solvers.
 //
-// Units: model units relative to `origin` of the design (float on the GPU would lose far-away models otherwise).
-// Threads: plain values.
+// Units: model units relative to `origin` of the design (float on the GPU would lose far-away models
+// otherwise). Threads: plain values.
 #pragma once
 
 #include <cstdint>
@@ -35,9 +35,9 @@ struct Segment {
 
 // The colour map's range and what its legend says.
 struct ColourScale {
-  double low = 0.0, high = 1.0;  // model units
-  std::string quantity;          // "Planarity"
-  std::string unit;              // "mm", "m"
+  double low = 0.0, high = 1.0;     // model units
+  std::string quantity;             // "Planarity"
+  std::string unit;                 // "mm", "m"
   std::optional<double> tolerance;  // a hard break in the map here
 };
 

@@ -1,0 +1,6 @@
+#version 330 core
+uniform vec3 top, bottom;
+in float height;
+out vec4 colour;
+
+void main() { colour = vec4(mix(bottom, top, smoothstep(0.0, 1.0, height)), 1.0); }

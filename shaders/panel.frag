@@ -1,0 +1,46 @@
+#version 330 core
+uniform vec3 card;
+uniform vec3 edge, edge_on_dark;
+uniform float line_width;  // pixels
+
+// The colour map; see colour_map.h for what the numbers mean.
+uniform int coloured;
+uniform sampler2D map;
+uniform float low, tolerance, per_unit_below, per_unit_above, below_end, above_start;
+
+flat in uint edges;
+flat in vec3 light;
+smooth in vec3 corner;
+smooth in float presence;
+smooth in float quantity;
+out vec4 colour;
+
+const float kNoValue = 1e38;
+
+float map_position(float v) {
+  if (v > tolerance) return clamp(above_start + (v - max(tolerance, low)) * per_unit_above, above_start, 1.0);
+  return clamp((v - low) * per_unit_below, 0.0, below_end);
+}
+
+void main() {
+  // Distance to each edge of the triangle in pixels, from how fast the barycentric coordinate changes.
+  vec3 dx = dFdx(corner), dy = dFdy(corner);
+  vec3 away = corner / max(sqrt(dx * dx + dy * dy), vec3(1e-9));
+  float line = 0.0;
+  for (int k = 0; k < 3; ++k) {
+    if ((edges >> k & 1u) == 0u) continue;
+    // Each of two neighbours draws half of the line; at a border one draws it all.
+    float reach = (edges >> (k + 3) & 1u) == 0u ? 0.5 * line_width : line_width;
+    line = max(line, 1.0 - smoothstep(reach - 0.5, reach + 0.5, away[k]));
+  }
+
+  vec3 fill = card * light;
+  vec3 line_colour = edge;
+  if (coloured != 0 && quantity < kNoValue) {
+    // Less light and shade than on card: the colour has to be read.
+    fill = texture(map, vec2((map_position(quantity) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
+    if (dot(fill, vec3(0.30, 0.59, 0.11)) < 0.30) line_colour = edge_on_dark;
+    fill *= mix(vec3(1.0), light, 0.45);
+  }
+  colour = vec4(mix(fill, line_colour, line * presence), 1.0);
+}

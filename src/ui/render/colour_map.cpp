@@ -1,0 +1,77 @@
+#include "ui/render/colour_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace planewright::render {
+namespace {
+
+// viridis at every tenth (its authors gave the map into the public domain, CC0).
+constexpr std::uint32_t kAnchors[] = {0x440154, 0x482576, 0x414487, 0x35608d, 0x2a788e, 0x21908c,
+                                      0x22a884, 0x43bf71, 0x7ad151, 0xbbdf27, 0xfde725};
+constexpr int kSteps = 10;
+
+glm::vec3 anchor(int i) {
+  const std::uint32_t rgb = kAnchors[std::clamp(i, 0, kSteps)];
+  return glm::vec3(static_cast<float>(rgb >> 16 & 255u), static_cast<float>(rgb >> 8 & 255u),
+                   static_cast<float>(rgb & 255u)) /
+         255.0f;
+}
+
+}  // namespace
+
+glm::vec3 viridis(float t) {
+  const float x = kSteps * (t > 0.0f ? std::min(t, 1.0f) : 0.0f);
+  const int i = std::min(static_cast<int>(x), kSteps - 1);
+  const float s = x - static_cast<float>(i);
+  // A Catmull-Rom curve through the anchors.
+  const glm::vec3 p0 = anchor(i - 1), p1 = anchor(i), p2 = anchor(i + 1), p3 = anchor(i + 2);
+  const glm::vec3 c =
+      p1 +
+      0.5f * s * (p2 - p0 + s * (2.0f * p0 - 5.0f * p1 + 4.0f * p2 - p3 + s * (3.0f * (p1 - p2) + p3 - p0)));
+  return {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f)};
+}
+
+std::array<std::uint8_t, 256 * 4> viridis_table() {
+  std::array<std::uint8_t, 256 * 4> table{};
+  for (int i = 0; i < 256; ++i) {
+    const glm::vec3 c = viridis(static_cast<float>(i) / 255.0f);
+    for (int k = 0; k < 3; ++k) table[4 * i + k] = static_cast<std::uint8_t>(std::lround(255.0f * c[k]));
+    table[4 * i + 3] = 255;
+  }
+  return table;
+}
+
+MapScale map_scale(const ColourScale& scale) {
+  const auto per_unit = [](double share, double length) {
+    return length > 0.0 ? static_cast<float>(std::min(share / length, 1e37)) : 0.0f;
+  };
+  MapScale map;
+  map.low = static_cast<float>(scale.low);
+  if (!scale.tolerance) {
+    map.tolerance = std::numeric_limits<float>::max();
+    map.per_unit_below = per_unit(1.0, scale.high - scale.low);
+    return map;
+  }
+  map.tolerance = static_cast<float>(*scale.tolerance);
+  map.below_end = kBreakBelow;
+  map.above_start = kBreakAbove;
+  map.per_unit_below = per_unit(kBreakBelow, std::min(*scale.tolerance, scale.high) - scale.low);
+  map.per_unit_above = per_unit(1.0 - kBreakAbove, scale.high - std::max(*scale.tolerance, scale.low));
+  return map;
+}
+
+float map_position(const MapScale& scale, float value) {
+  if (value > scale.tolerance) {
+    const float above = (value - std::max(scale.tolerance, scale.low)) * scale.per_unit_above;
+    return std::clamp(scale.above_start + above, scale.above_start, 1.0f);
+  }
+  return std::clamp((value - scale.low) * scale.per_unit_below, 0.0f, scale.below_end);
+}
+
+glm::vec3 colour_of(const ColourScale& scale, double value) {
+  return viridis(map_position(map_scale(scale), static_cast<float>(value)));
+}
+
+}  // namespace planewright::render

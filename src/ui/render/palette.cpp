@@ -1,0 +1,54 @@
+#include "ui/render/palette.h"
+
+#include <cstdint>
+
+namespace planewright::render {
+namespace {
+
+glm::vec3 rgb(std::uint32_t hex) {
+  return glm::vec3(static_cast<float>(hex >> 16 & 255u), static_cast<float>(hex >> 8 & 255u),
+                   static_cast<float>(hex & 255u)) /
+         255.0f;
+}
+
+}  // namespace
+
+const Palette& palette_of(const Theme& theme) {
+  static const Palette light{
+      .ground_top = rgb(0xf2efea),
+      .ground_bottom = rgb(0xe3dfd8),
+      .shadow = rgb(0x5a5146),
+      .shadow_strength = 0.30f,
+      .card = rgb(0xfbf8f2),
+      .back_tint = {0.83f, 0.86f, 0.91f},
+      .edge = rgb(0x4b443b),
+      .edge_on_dark = rgb(0xb9b4ab),
+      .ghost = rgb(0x3f78b8),
+      .warning = rgb(0xe8960f),
+      .error = rgb(0xcb3426),
+      .selected = rgb(0x0f8f89),
+      .outline = rgb(0xfdfbf7),
+      .text = rgb(0x37322b),
+      .faint_text = rgb(0x736c62),
+  };
+  static const Palette dark{
+      .ground_top = rgb(0x302f2c),
+      .ground_bottom = rgb(0x252422),
+      .shadow = rgb(0x0c0b0a),
+      .shadow_strength = 0.45f,
+      .card = rgb(0xd9d4c9),
+      .back_tint = {0.78f, 0.83f, 0.90f},
+      .edge = rgb(0x26231f),
+      .edge_on_dark = rgb(0xa8a298),
+      .ghost = rgb(0x7fb0e6),
+      .warning = rgb(0xf2a93b),
+      .error = rgb(0xe5574a),
+      .selected = rgb(0x2fbdb4),
+      .outline = rgb(0xf4f0e8),
+      .text = rgb(0xe8e4dc),
+      .faint_text = rgb(0xa39d93),
+  };
+  return theme.dark ? dark : light;
+}
+
+}  // namespace planewright::render

@@ -1,0 +1,24 @@
+// The colours of the drawing: a warm-grey ground, off-white card, and colour only where it means something.
+// The window takes its marks' colours from here too. Display RGB in 0..1. No OpenGL.
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "ui/render/renderer.h"
+
+namespace planewright::render {
+
+struct Palette {
+  glm::vec3 ground_top, ground_bottom;
+  glm::vec3 shadow;  // of the model on the ground
+  float shadow_strength;
+  glm::vec3 card;       // a panel in full light
+  glm::vec3 back_tint;  // multiplies a panel's back side
+  glm::vec3 edge, edge_on_dark;
+  glm::vec3 ghost;
+  glm::vec3 warning, error, selected, outline;
+  glm::vec3 text, faint_text;
+};
+const Palette& palette_of(const Theme& theme);
+
+}  // namespace planewright::render

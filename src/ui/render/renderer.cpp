@@ -1,0 +1,471 @@
+#include "ui/render/renderer.h"
+
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <glm/geometric.hpp>
+#include <iterator>
+
+#include "ui/render/colour_map.h"
+#include "ui/render/gl_objects.h"
+#include "ui/render/ground_shadow.h"
+#include "ui/render/line_buffer.h"
+#include "ui/render/palette.h"
+#include "ui/render/panel_buffer.h"
+#include "ui/render/shader_program.h"
+
+namespace planewright::render {
+namespace {
+
+constexpr float kPanelLine = 1.2f, kGhostLine = 1.0f;  // pixels
+constexpr float kSegmentLine[] = {3.0f, 3.5f, 4.0f};   // by Segment::Kind
+constexpr float kMarkerRadius[] = {5.0f, 5.5f, 5.0f};  // by Marker::Kind, pixels
+constexpr float kThrough = 0.22f;                      // strength of marks behind geometry
+
+// What the shaders need to know of the camera and the rectangle that is drawn.
+struct Frame {
+  glm::mat4 view, projection, view_projection;
+  glm::vec3 eye, key_light;
+  glm::vec2 size;  // pixels
+  float pixel_scale, pixels_per_unit, near;
+
+  Frame(const Camera& camera, const Viewport& viewport)
+      : view(camera.view()),
+        projection(camera.projection()),
+        view_projection(projection * view),
+        eye(camera.eye().x(), camera.eye().y(), camera.eye().z()),
+        size(viewport.width, viewport.height),
+        pixel_scale(viewport.pixel_scale),
+        pixels_per_unit(0.5f * projection[1][1] * static_cast<float>(viewport.height)),
+        near(projection[3][2] / (projection[2][2] - 1.0f)) {
+    // From above, over the viewer's left shoulder: turns with the view, so that facets always differ in tone.
+    const glm::vec3 up(0.0f, 0.0f, 1.0f), right(view[0][0], view[1][0], view[2][0]);
+    key_light = glm::normalize(0.80f * up - 0.52f * right + 0.38f * glm::cross(right, up));
+  }
+};
+
+struct Programs {
+  ShaderProgram backdrop, shadow, panel, ghost, line, marker;
+
+  static Result<Programs> load(const std::filesystem::path& folder) {
+    Programs programs;
+    const std::pair<const char*, ShaderProgram*> all[] = {
+        {"backdrop", &programs.backdrop}, {"shadow", &programs.shadow}, {"panel", &programs.panel},
+        {"ghost", &programs.ghost},       {"line", &programs.line},     {"marker", &programs.marker}};
+    for (const auto& [name, program] : all) {
+      auto loaded = ShaderProgram::load(name, folder);
+      if (!loaded) return tl::unexpected(loaded.error());
+      *program = std::move(*loaded);
+    }
+    return programs;
+  }
+};
+
+struct MarkerVertex {
+  float x, y, z;
+  float r, g, b;
+  float radius;
+};
+
+// Discs; their colours hang on the theme, so the buffer is filled when the theme changes.
+class MarkerBuffer {
+ public:
+  void set(const std::vector<Marker>& markers) {
+    markers_ = markers;
+    filled_for_ = nullptr;
+  }
+
+  void draw(const Palette& palette) {
+    if (markers_.empty()) return;
+    if (filled_for_ != &palette) fill(palette);
+    glBindVertexArray(arrays_.get());
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, static_cast<GLsizei>(markers_.size()));
+    glBindVertexArray(0);
+  }
+  bool empty() const { return markers_.empty(); }
+
+ private:
+  void fill(const Palette& palette) {
+    std::vector<MarkerVertex> vertices;
+    vertices.reserve(markers_.size());
+    for (const Marker& marker : markers_) {
+      const glm::vec3& c = marker.kind == Marker::Kind::Warning ? palette.warning
+                           : marker.kind == Marker::Kind::Error ? palette.error
+                                                                : palette.selected;
+      const auto& p = marker.position;
+      vertices.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()),
+                          c.x, c.y, c.z, kMarkerRadius[static_cast<int>(marker.kind)]});
+    }
+    if (!arrays_) {
+      arrays_ = GlVertexArray::create();
+      buffer_ = GlBuffer::create();
+    }
+    glBindVertexArray(arrays_.get());
+    glBindBuffer(GL_ARRAY_BUFFER, buffer_.get());
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(sizeof(MarkerVertex) * vertices.size()),
+                 vertices.data(), GL_DYNAMIC_DRAW);
+    const size_t offsets[] = {offsetof(MarkerVertex, x), offsetof(MarkerVertex, r),
+                              offsetof(MarkerVertex, radius)};
+    const GLint sizes[] = {3, 3, 1};
+    for (GLuint i = 0; i < 3; ++i) {
+      glVertexAttribPointer(i, sizes[i], GL_FLOAT, GL_FALSE, sizeof(MarkerVertex),
+                            reinterpret_cast<const void*>(offsets[i]));
+      glVertexAttribDivisor(i, 1);
+      glEnableVertexAttribArray(i);
+    }
+    glBindVertexArray(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    check_gl("uploading markers");
+    filled_for_ = &palette;
+  }
+
+  std::vector<Marker> markers_;
+  const Palette* filled_for_ = nullptr;
+  GlVertexArray arrays_;
+  GlBuffer buffer_;
+};
+
+GlTexture make_texture(GLint format, GLenum pixels, int width, int height, const void* data) {
+  GlTexture texture = GlTexture::create();
+  glBindTexture(GL_TEXTURE_2D, texture.get());
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, pixels, GL_UNSIGNED_BYTE, data);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  for (GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  for (GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+    glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return texture;
+}
+
+double mean_length(const std::vector<Vector3d>& ends) {
+  double sum = 0.0;
+  for (size_t i = 0; i + 1 < ends.size(); i += 2) sum += (ends[i + 1] - ends[i]).norm();
+  return ends.empty() ? 0.0 : 2.0 * sum / static_cast<double>(ends.size());
+}
+
+// The time of the latest change among the files of a folder.
+std::filesystem::file_time_type latest_change(const std::filesystem::path& folder) {
+  auto latest = std::filesystem::file_time_type::min();
+  std::error_code error;
+  for (std::filesystem::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+    std::error_code unreadable;
+    const auto time = it->last_write_time(unreadable);
+    if (!unreadable && time > latest) latest = time;
+  }
+  return latest;
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+  std::filesystem::path shader_folder;
+  std::filesystem::file_time_type shaders_from;
+  Programs programs;
+  GlVertexArray no_attributes;  // for what the shaders make from the vertex's number
+  GlTexture map;
+
+  PanelBuffer panels, ghost;
+  LineBuffer ghost_lines;
+  float ghost_edge = 0.0f;  // mean length, scene units
+  std::optional<GroundShadow> shadow;
+  GlTexture shadow_picture;
+  LineBuffer segments[3];  // by Segment::Kind
+  MarkerBuffer markers;
+  std::optional<ColourScale> colours;
+
+  void draw_backdrop(const Palette& palette) const;
+  void draw_shadow(const Frame& frame, const Palette& palette) const;
+  void draw_ghost_faces(const Frame& frame, const Palette& palette) const;
+  void draw_panels(const Frame& frame, const Palette& palette) const;
+  void draw_ghost_lines(const Frame& frame, const Palette& palette) const;
+  void draw_segments(const Frame& frame, const Palette& palette) const;
+  void draw_markers(const Frame& frame, const Palette& palette);
+  void begin_lines(const Frame& frame) const;
+};
+
+void Renderer::Impl::draw_backdrop(const Palette& palette) const {
+  glDisable(GL_DEPTH_TEST);
+  programs.backdrop.use();
+  programs.backdrop.set("top", palette.ground_top);
+  programs.backdrop.set("bottom", palette.ground_bottom);
+  glBindVertexArray(no_attributes.get());
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void Renderer::Impl::draw_shadow(const Frame& frame, const Palette& palette) const {
+  if (!shadow || frame.eye.z <= static_cast<float>(shadow->low.z())) return;
+  const auto as_float = [](const Vector3d& v) { return glm::vec3(v.x(), v.y(), v.z()); };
+  programs.shadow.use();
+  programs.shadow.set("view_projection", frame.view_projection);
+  programs.shadow.set("low", as_float(shadow->low));
+  programs.shadow.set("high", as_float(shadow->high));
+  programs.shadow.set("darkness", 0);
+  programs.shadow.set("shadow", palette.shadow);
+  programs.shadow.set("strength", palette.shadow_strength);
+  glBindTexture(GL_TEXTURE_2D, shadow_picture.get());
+  glBindVertexArray(no_attributes.get());
+  glEnable(GL_BLEND);
+  glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+  glDisable(GL_BLEND);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+// Drawn before the panels, which then cover them: where both nearly coincide a tint over the panels would be
+// blotched. Alone, only the nearest layer is tinted, so that the ghost reads as a surface.
+void Renderer::Impl::draw_ghost_faces(const Frame& frame, const Palette& palette) const {
+  programs.ghost.use();
+  programs.ghost.set("view_projection", frame.view_projection);
+  programs.ghost.set("eye", frame.eye);
+  const bool alone = panels.empty();
+  if (alone) {
+    glEnable(GL_DEPTH_TEST);
+    glDepthMask(GL_TRUE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    ghost.draw();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  }
+  programs.ghost.set("tint", glm::vec4(palette.ghost, alone ? 0.13f : 0.05f));
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  ghost.draw();
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
+}
+
+void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) const {
+  glEnable(GL_DEPTH_TEST);
+  const ShaderProgram& p = programs.panel;
+  p.use();
+  p.set("view_projection", frame.view_projection);
+  p.set("eye", frame.eye);
+  p.set("key_light", frame.key_light);
+  p.set("back_tint", palette.back_tint);
+  p.set("pixels_per_unit", frame.pixels_per_unit / frame.pixel_scale);
+  p.set("card", palette.card);
+  p.set("edge", palette.edge);
+  p.set("edge_on_dark", palette.edge_on_dark);
+  p.set("line_width", kPanelLine * frame.pixel_scale);
+  p.set("coloured", colours ? 1 : 0);
+  p.set("map", 0);
+  if (colours) {
+    const MapScale scale = map_scale(*colours);
+    p.set("low", scale.low);
+    p.set("tolerance", scale.tolerance);
+    p.set("per_unit_below", scale.per_unit_below);
+    p.set("per_unit_above", scale.per_unit_above);
+    p.set("below_end", scale.below_end);
+    p.set("above_start", scale.above_start);
+  }
+  glBindTexture(GL_TEXTURE_2D, map.get());
+  // A little back, so that lines in the surface lie on it.
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.0f, 1.0f);
+  panels.draw();
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+void Renderer::Impl::begin_lines(const Frame& frame) const {
+  const ShaderProgram& p = programs.line;
+  p.use();
+  p.set("view", frame.view);
+  p.set("projection", frame.projection);
+  p.set("viewport", frame.size);
+  p.set("pixels_per_unit", frame.pixels_per_unit);
+  p.set("near", frame.near);
+  p.set("lift", 0.0f);
+  p.set("fade_below", 0.0f);
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+}
+
+// Once as far as nothing stands before the lines, and once fainter as if they lay half an edge nearer: design
+// edges just beneath the panels stay legible, while the far side of the model does not shine through.
+void Renderer::Impl::draw_ghost_lines(const Frame& frame, const Palette& palette) const {
+  if (ghost_lines.empty()) return;
+  begin_lines(frame);
+  const ShaderProgram& p = programs.line;
+  p.set("line_width", kGhostLine * frame.pixel_scale);
+  p.set("fade_below", 24.0f * frame.pixel_scale);
+  p.set("lift_pixels", 0.5f * frame.pixel_scale);
+  const bool alone = panels.empty();
+  p.set("tint", glm::vec4(palette.ghost, alone ? 0.75f : 0.60f));
+  ghost_lines.draw();
+  p.set("lift", 0.5f * ghost_edge);
+  p.set("tint", glm::vec4(palette.ghost, alone ? 0.10f : 0.22f));
+  ghost_lines.draw();
+}
+
+void Renderer::Impl::draw_segments(const Frame& frame, const Palette& palette) const {
+  const glm::vec3 tints[] = {palette.warning, palette.selected, palette.selected};
+  const ShaderProgram& p = programs.line;
+  begin_lines(frame);
+  p.set("lift_pixels", 3.0f * frame.pixel_scale);
+  for (int kind = 0; kind < 3; ++kind) {
+    if (segments[kind].empty()) continue;
+    const float width = kSegmentLine[kind] * frame.pixel_scale;
+    const bool hovered = kind == static_cast<int>(Segment::Kind::Hovered);
+    glDepthFunc(GL_GREATER);
+    p.set("line_width", width);
+    p.set("tint", glm::vec4(tints[kind], kThrough));
+    segments[kind].draw();
+    glDepthFunc(GL_LEQUAL);
+    p.set("line_width", width + 2.0f * frame.pixel_scale);
+    p.set("tint", glm::vec4(palette.outline, 0.75f));
+    segments[kind].draw();
+    p.set("line_width", width);
+    p.set("tint", glm::vec4(tints[kind], hovered ? 0.75f : 1.0f));
+    segments[kind].draw();
+  }
+}
+
+void Renderer::Impl::draw_markers(const Frame& frame, const Palette& palette) {
+  if (markers.empty()) return;
+  const ShaderProgram& p = programs.marker;
+  p.use();
+  p.set("view", frame.view);
+  p.set("projection", frame.projection);
+  p.set("viewport", frame.size);
+  p.set("pixel_scale", frame.pixel_scale);
+  p.set("pixels_per_unit", frame.pixels_per_unit);
+  p.set("outline", palette.outline);
+  p.set("rim", palette.edge);
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  glDepthFunc(GL_GREATER);
+  p.set("strength", kThrough);
+  markers.draw(palette);
+  glDepthFunc(GL_LEQUAL);
+  p.set("strength", 1.0f);
+  markers.draw(palette);
+}
+
+Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder) {
+  if (epoxy_is_desktop_gl() ? epoxy_gl_version() < 33 : true) {
+    return fail(ErrorCode::Unavailable, "the current OpenGL context is older than version 3.3", {},
+                "update the graphics driver");
+  }
+  if (const std::string before = take_gl_errors(); !before.empty()) {
+    std::fprintf(stderr, "OpenGL had errors before the renderer began: %s\n", before.c_str());
+  }
+  auto impl = std::make_unique<Impl>();
+  impl->shader_folder = shader_folder;
+  if (!shader_folder.empty()) impl->shaders_from = latest_change(shader_folder);
+  auto programs = Programs::load(shader_folder);
+  if (!programs) return tl::unexpected(programs.error());
+  impl->programs = std::move(*programs);
+  impl->no_attributes = GlVertexArray::create();
+  const auto table = viridis_table();
+  impl->map = make_texture(GL_RGBA8, GL_RGBA, static_cast<int>(table.size() / 4), 1, table.data());
+  if (const std::string errors = take_gl_errors(); !errors.empty()) {
+    return fail(ErrorCode::Unavailable, "OpenGL cannot be set up: " + errors, {},
+                "update the graphics driver");
+  }
+  return Renderer(std::move(impl));
+}
+
+Renderer::Renderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
+void Renderer::set_scene(const Scene& scene) {
+  impl_->panels = scene.panels ? PanelBuffer(*scene.panels) : PanelBuffer();
+  impl_->ghost = scene.ghost ? PanelBuffer(*scene.ghost) : PanelBuffer();
+  const std::vector<Vector3d> ends = scene.ghost ? edge_ends(*scene.ghost) : std::vector<Vector3d>();
+  impl_->ghost_lines = LineBuffer(ends);
+  impl_->ghost_edge = static_cast<float>(mean_length(ends));
+
+  impl_->shadow.reset();
+  if (scene.panels) impl_->shadow = make_ground_shadow(*scene.panels);
+  if (!impl_->shadow && scene.ghost) impl_->shadow = make_ground_shadow(*scene.ghost);
+  if (impl_->shadow) {
+    impl_->shadow_picture = make_texture(GL_R8, GL_RED, GroundShadow::kCells, GroundShadow::kCells,
+                                         impl_->shadow->darkness.data());
+  }
+  set_markers(scene.markers, scene.segments);
+  set_colours(scene.colours);
+  check_gl("uploading the scene");
+}
+
+void Renderer::update_panel_points(const Points& points, const Vector& polygon_values,
+                                   const Vector& point_values) {
+  impl_->panels.update(points, polygon_values, point_values);
+}
+
+void Renderer::set_markers(const std::vector<Marker>& markers, const std::vector<Segment>& segments) {
+  impl_->markers.set(markers);
+  std::vector<Vector3d> ends[std::size(kSegmentLine)];
+  for (const Segment& segment : segments) {
+    auto& list = ends[static_cast<int>(segment.kind)];
+    list.push_back(segment.a);
+    list.push_back(segment.b);
+  }
+  for (size_t kind = 0; kind < std::size(ends); ++kind) impl_->segments[kind] = LineBuffer(ends[kind]);
+}
+
+void Renderer::set_colours(const std::optional<ColourScale>& colours) {
+  impl_->colours = colours;
+}
+
+void Renderer::draw(const Camera& camera, const Viewport& viewport, const Theme& theme, bool show_ghost) {
+#ifndef NDEBUG
+  if (const std::string before = take_gl_errors(); !before.empty()) {
+    std::fprintf(stderr, "OpenGL had errors before the scene was drawn: %s\n", before.c_str());
+  }
+#endif
+  if (viewport.width <= 0 || viewport.height <= 0) return;
+  const Palette& palette = palette_of(theme);
+  const Frame frame(camera, viewport);
+
+  glViewport(viewport.x, viewport.y, viewport.width, viewport.height);
+  glScissor(viewport.x, viewport.y, viewport.width, viewport.height);
+  glEnable(GL_SCISSOR_TEST);
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_STENCIL_TEST);
+  glDisable(GL_BLEND);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
+  glDepthRange(0.0, 1.0);
+  glClearDepth(1.0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glActiveTexture(GL_TEXTURE0);
+  glBlendEquation(GL_FUNC_ADD);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+
+  impl_->draw_backdrop(palette);
+  impl_->draw_shadow(frame, palette);
+  if (show_ghost) impl_->draw_ghost_faces(frame, palette);
+  impl_->draw_panels(frame, palette);
+  if (show_ghost) impl_->draw_ghost_lines(frame, palette);
+  impl_->draw_segments(frame, palette);
+  impl_->draw_markers(frame, palette);
+
+  glDepthMask(GL_TRUE);
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  glDisable(GL_SCISSOR_TEST);
+  glBindVertexArray(0);
+  glUseProgram(0);
+#ifndef NDEBUG
+  check_gl("drawing the scene");
+#endif
+}
+
+Result<void> Renderer::reload_changed_shaders() {
+  if (impl_->shader_folder.empty()) return {};
+  const auto latest = latest_change(impl_->shader_folder);
+  if (latest == impl_->shaders_from) return {};
+  impl_->shaders_from = latest;
+  auto programs = Programs::load(impl_->shader_folder);
+  if (!programs) return tl::unexpected(programs.error());
+  impl_->programs = std::move(*programs);
+  return {};
+}
+
+}  // namespace planewright::render
