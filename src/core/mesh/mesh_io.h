@@ -1,10 +1,11 @@
-// Reading and writing polygon meshes: OBJ, OFF, PLY (ascii, binary little and big endian) and STL (ascii, binary).
+// Reading and writing polygon meshes: OBJ, OFF, PLY (ascii, binary little and big endian) and STL (ascii,
+// binary).
 //
-// The readers are our own: OpenMesh's drop faces that break its invariants, know no line numbers and read floats
-// in single precision on some paths. Formats are recognised by content where that is certain, else by the name's
-// ending. Numbers are read and written locale-independently; writers use 17 significant digits, so that planarity
-// survives the round trip (binary PLY: 8-byte doubles; binary STL is single precision by its format and is only
-// read, never written). Threads: no shared state.
+// The readers are our own: OpenMesh's drop faces that break its invariants, know no line numbers and read
+// floats in single precision on some paths. Formats are recognised by content where that is certain, else by
+// the name's ending. Numbers are read and written locale-independently; writers use 17 significant digits, so
+// that planarity survives the round trip (binary PLY: 8-byte doubles; binary STL is single precision by its
+// format and is only read, never written). Threads: no shared state.
 #pragma once
 
 #include <filesystem>
@@ -21,19 +22,20 @@ enum class MeshFormat { Obj, Off, Ply, Stl };
 
 // Polygons as a file has them, before any check.
 struct PolygonSoup {
-  Points positions;  // #V x 3, model units
-  Polygons faces;    // 0-based, every index inside 0..#V-1
+  Points positions;                // #V x 3, model units
+  Polygons faces;                  // 0-based, every index inside 0..#V-1
   bool one_based_indices = false;  // an OFF or PLY file that counted from 1 and was read so
 };
 
-// The format that a path's ending (.obj .off .ply .stl, any case) names; ErrorCode::Usage lists the known ones.
+// The format that a path's ending (.obj .off .ply .stl, any case) names; ErrorCode::Usage lists the known
+// ones.
 Result<MeshFormat> format_of(const std::filesystem::path& path);
 
 // Parses a whole file's content. `name` is what errors call it ("roof.obj" -> "roof.obj:14: ...").
 // Fails with ErrorCode::Unreadable, with line (or element, for binary) and remedy: bad number, non-finite
-// coordinate, index 0 or beyond the end, a file that ends early, counts that cannot be true (checked against the
-// file's size before anything is allocated).
-// STL has no shared vertices: corners with exactly equal coordinates are joined.
+// coordinate, index 0 or beyond the end, a file that ends early, counts that cannot be true (checked against
+// the file's size before anything is allocated). STL has no shared vertices: corners with exactly equal
+// coordinates are joined.
 Result<PolygonSoup> parse_mesh(std::string_view content, MeshFormat format, const std::string& name);
 
 // Reads, checks and repairs: what a designer's "open" does.

@@ -1,11 +1,12 @@
-// PolygonMesh: the designer's editable half-edge mesh, faces of any valence, in double precision over OpenMesh.
+// PolygonMesh: the designer's editable half-edge mesh, faces of any valence, in double precision over
+// OpenMesh.
 //
-// Invariants: manifold with border (every edge has one or two faces, the faces round a vertex form one fan, or
-// none for an isolated vertex), consistently oriented, every face has at least 3 distinct corners.
+// Invariants: manifold with border (every edge has one or two faces, the faces round a vertex form one fan,
+// or none for an isolated vertex), consistently oriented, every face has at least 3 distinct corners.
 // `from_polygons` refuses anything else; `load_mesh` (mesh_io.h) repairs first and reports what it did.
-// Indices: vertices, faces and edges are 0-based and dense, and survive a flip unchanged (a flip changes which
-// vertices an edge joins, never any index). Units: positions in model units, as in the file.
-// Threads: a const mesh may be read by several threads; copies are deep. OpenMesh stays behind the .cpp.
+// Indices: vertices, faces and edges are 0-based and dense, and survive a flip unchanged (a flip changes
+// which vertices an edge joins, never any index). Units: positions in model units, as in the file. Threads: a
+// const mesh may be read by several threads; copies are deep. OpenMesh stays behind the .cpp.
 #pragma once
 
 #include <memory>
@@ -46,9 +47,9 @@ class PolygonMesh {
   MeshEdge edge(int e) const;
   int find_edge(int a, int b) const;  // the edge that joins two vertices, -1 if none
 
-  // Faces round v, counter-clockwise seen from outside. At a border vertex the list begins with the face at the
-  // border edge that leaves v with its face on the left, and ends with the face at the border edge that arrives.
-  // Empty for an isolated vertex.
+  // Faces round v, counter-clockwise seen from outside. At a border vertex the list begins with the face at
+  // the border edge that leaves v with its face on the left, and ends with the face at the border edge that
+  // arrives. Empty for an isolated vertex.
   std::vector<int> faces_around(int v) const;
   // Edges in the same order: faces_around(v)[k] lies between edges_around(v)[k] and edges_around(v)[k + 1]
   // (cyclic at an inner vertex; one more edge than faces at a border vertex).
@@ -56,8 +57,8 @@ class PolygonMesh {
   bool is_border_vertex(int v) const;
   bool is_isolated(int v) const;
 
-  // Whether edge e can be flipped: inner, both faces triangles, the new edge not there yet, and no vertex would
-  // fall below valence 3 (2 at the border). Purely combinatorial.
+  // Whether edge e can be flipped: inner, both faces triangles, the new edge not there yet, and no vertex
+  // would fall below valence 3 (2 at the border). Purely combinatorial.
   bool can_flip(int e) const;
   // Flips e; false, with nothing changed, if !can_flip(e). Flipping twice restores the connectivity; the same
   // edge joins the same two vertices again, though with left and right exchanged.

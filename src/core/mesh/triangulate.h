@@ -1,7 +1,7 @@
 // Cutting a polygon, planar or not, convex or not, into triangles: for drawing, picking and STL.
 //
-// Ear clipping in the plane of the Newell normal. Always returns n - 2 triangles over the given corners in their
-// own orientation; a polygon that crosses itself gets triangles too (some overlap), never fewer.
+// Ear clipping in the plane of the Newell normal. Always returns n - 2 triangles over the given corners in
+// their own orientation; a polygon that crosses itself gets triangles too (some overlap), never fewer.
 #pragma once
 
 #include <array>
