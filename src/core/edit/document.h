@@ -1,10 +1,9 @@
 // Document: one design as the designer edits it: mesh, settings, name, and what can be undone.
 //
 // Every change goes through a member here, which records how to take it back. Consecutive changes of the same
-// setting (a slider being dragged) are one step of undo: `merge_key` says which belong together, and `end_merge()`
-// (the mouse button goes up) closes the step. The mesh is shared as const, so that a solve on another thread keeps
-// the one it began with.
-// Threads: one thread (the window's, or the command line's).
+// setting (a slider being dragged) are one step of undo: `merge_key` says which belong together, and
+// `end_merge()` (the mouse button goes up) closes the step. The mesh is shared as const, so that a solve on
+// another thread keeps the one it began with. Threads: one thread (the window's, or the command line's).
 #pragma once
 
 #include <cstdint>
@@ -33,14 +32,17 @@ class Document {
   const HealthReport& health() const { return health_; }
   const DesignSettings& settings() const { return settings_; }
   const std::string& name() const { return name_; }
-  // Grows with every change of mesh or settings, undo and redo included: what is shown is stale if it was solved
-  // for another revision.
+  // Grows with every change of mesh or settings, undo and redo included: what is shown is stale if it was
+  // solved for another revision.
   std::uint64_t revision() const { return revision_; }
 
-  // Flips a mesh edge. Refused with the reason (border, not between two triangles, the new edge exists already).
+  // Whether a mesh edge can be flipped; if not, the reason (border, not between two triangles, the new edge
+  // exists already) as an error for the designer.
+  Result<void> may_flip(int edge) const;
+  // Flips a mesh edge. Refused, with nothing changed, for the reasons of may_flip().
   Result<void> flip_edge(int edge);
-  // Changes the settings; `what` names the step for the Edit menu ("Weight of fairing"); equal keys merge until
-  // end_merge(). No change, no step.
+  // Changes the settings; `what` names the step for the Edit menu ("Weight of fairing"); equal keys merge
+  // until end_merge(). No change, no step.
   void change_settings(DesignSettings settings, std::string what, std::string merge_key = {});
   void end_merge();
 

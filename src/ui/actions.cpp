@@ -1,0 +1,284 @@
+#include "ui/actions.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cctype>
+#include <utility>
+
+namespace planewright::ui {
+
+const std::vector<ActionInfo>& action_list() {
+  const auto key = [](int k) { return KeyPress{k, false, false, false}; };
+  const auto ctrl = [](int k, bool shift = false) { return KeyPress{k, true, shift, false}; };
+  const auto shifted = [](int k) { return KeyPress{k, false, true, false}; };
+  static const std::vector<ActionInfo> list = {
+      {Action::Open, "open", "Open…", "Ctrl O", {ctrl(GLFW_KEY_O)}},
+      {Action::Export, "export", "Export panels…", "Ctrl E", {ctrl(GLFW_KEY_E)}},
+      {Action::Quit, "quit", "Quit", "Ctrl Q", {ctrl(GLFW_KEY_Q)}},
+      {Action::Undo, "undo", "Undo", "Ctrl Z", {ctrl(GLFW_KEY_Z)}},
+      {Action::Redo, "redo", "Redo", "Ctrl Shift Z", {ctrl(GLFW_KEY_Z, true), ctrl(GLFW_KEY_Y)}},
+      {Action::ModeDual, "mode dual", "Dual", "1", {key(GLFW_KEY_1), key(GLFW_KEY_KP_1)}},
+      {Action::ModePlanarize, "mode planarize", "Planarize", "2", {key(GLFW_KEY_2), key(GLFW_KEY_KP_2)}},
+      {Action::SolveOrStop, "solve or stop", "Solve", "Space", {key(GLFW_KEY_SPACE)}},
+      {Action::SolveAfresh,
+       "solve afresh",
+       "Solve from the beginning",
+       "Shift Space",
+       {shifted(GLFW_KEY_SPACE)}},
+      {Action::AutoSolve, "auto solve", "Solve at every change", "", {}},
+      {Action::Fit, "fit", "Fit the model", "F", {key(GLFW_KEY_F)}},
+      {Action::ResetView, "reset view", "Standard view", "Home", {key(GLFW_KEY_HOME)}},
+      {Action::Ghost, "ghost", "Ghost of the input", "G", {key(GLFW_KEY_G)}},
+      {Action::Markers, "markers", "Mark ill-determined points", "M", {key(GLFW_KEY_M)}},
+      {Action::ColourCycle, "colour map", "Next colour map", "C", {key(GLFW_KEY_C)}},
+      {Action::ColourNone, "colours none", "Plain card", "", {}},
+      {Action::ColourPlanarity, "colours planarity", "Colour by planarity", "", {}},
+      {Action::ColourDisplacement, "colours displacement", "Colour by displacement", "", {}},
+      {Action::LockRange, "lock range", "Lock the colours' range", "L", {key(GLFW_KEY_L)}},
+      {Action::Convergence, "convergence", "Convergence plot", "P", {key(GLFW_KEY_P)}},
+      {Action::DarkTheme, "dark theme", "Dark theme", "D", {key(GLFW_KEY_D)}},
+      {Action::NextFinding, "next finding", "Next finding", "N", {key(GLFW_KEY_N)}},
+      {Action::PreviousFinding, "previous finding", "Previous finding", "Shift N", {shifted(GLFW_KEY_N)}},
+      {Action::ClearSelection, "clear selection", "Clear the selection", "Esc", {key(GLFW_KEY_ESCAPE)}},
+      {Action::Keys, "keys", "All keys", "? or F1", {key(GLFW_KEY_F1)}},
+      {Action::Timings, "timings", "Timings", "", {}},
+      {Action::About, "about", "About Planewright", "", {}},
+  };
+  return list;
+}
+
+const ActionInfo& info(Action action) {
+  const auto& list = action_list();
+  return *std::find_if(list.begin(), list.end(), [&](const ActionInfo& i) { return i.action == action; });
+}
+
+bool Actions::enabled(Action action) const {
+  const bool has_design = !state_.document().empty();
+  const bool has_findings = state_.shown() && !state_.shown()->ill_determined.empty();
+  switch (action) {
+    case Action::Export:
+      return state_.can_export();
+    case Action::Undo:
+      return state_.document().can_undo();
+    case Action::Redo:
+      return state_.document().can_redo();
+    case Action::ModeDual:
+    case Action::ModePlanarize:
+    case Action::SolveOrStop:
+    case Action::SolveAfresh:
+    case Action::Fit:
+    case Action::ResetView:
+      return has_design;
+    case Action::NextFinding:
+    case Action::PreviousFinding:
+      return has_findings;
+    case Action::LockRange:
+      return state_.view_options.colours != ColourMap::None;
+    case Action::ClearSelection:
+      return true;
+    default:
+      return true;
+  }
+}
+
+bool Actions::checked(Action action) const {
+  const ViewOptions& view = state_.view_options;
+  switch (action) {
+    case Action::ModeDual:
+      return state_.document().settings().mode == ComplexKind::Dual;
+    case Action::ModePlanarize:
+      return state_.document().settings().mode == ComplexKind::Planarize;
+    case Action::AutoSolve:
+      return state_.auto_solve();
+    case Action::Ghost:
+      return view.ghost;
+    case Action::Markers:
+      return view.markers;
+    case Action::ColourNone:
+      return view.colours == ColourMap::None;
+    case Action::ColourPlanarity:
+      return view.colours == ColourMap::Planarity;
+    case Action::ColourDisplacement:
+      return view.colours == ColourMap::Displacement;
+    case Action::LockRange:
+      return view.lock_range;
+    case Action::Convergence:
+      return window_.settings.convergence_open;
+    case Action::DarkTheme:
+      return window_.settings.dark;
+    case Action::Keys:
+      return window_.show_keys;
+    case Action::Timings:
+      return window_.show_timings;
+    default:
+      return false;
+  }
+}
+
+std::string Actions::label(Action action) const {
+  const auto with_step = [&](const std::string& verb, std::string step) {
+    if (step.empty()) return verb;
+    step[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(step[0])));
+    return verb + " " + step;
+  };
+  switch (action) {
+    case Action::Undo:
+      return with_step("Undo", state_.document().undo_name());
+    case Action::Redo:
+      return with_step("Redo", state_.document().redo_name());
+    case Action::SolveOrStop:
+      return state_.solving() ? "Stop" : "Solve";
+    default:
+      return info(action).label;
+  }
+}
+
+bool Actions::press(const KeyPress& key) {
+  for (const ActionInfo& candidate : action_list()) {
+    if (std::find(candidate.keys.begin(), candidate.keys.end(), key) == candidate.keys.end()) continue;
+    if (enabled(candidate.action)) request(candidate.action);
+    return true;
+  }
+  return false;
+}
+
+void Actions::apply_requested() {
+  for (const Action action : std::exchange(requested_, {})) {
+    if (enabled(action)) run(action);
+  }
+}
+
+void Actions::set_mode(ComplexKind mode) {
+  DesignSettings settings = state_.document().settings();
+  settings.mode = mode;
+  state_.change_settings(std::move(settings), mode == ComplexKind::Dual ? "Mode dual" : "Mode planarize");
+}
+
+void Actions::walk_findings(int by) {
+  const auto& points = state_.shown()->ill_determined;
+  const auto count = static_cast<int>(points.size());
+  int at = by > 0 ? -1 : count;
+  if (state_.selected_point) {
+    for (int i = 0; i < count; ++i) {
+      if (points[static_cast<std::size_t>(i)].point == *state_.selected_point) at = i;
+    }
+  }
+  at = (at + by + count) % count;
+  show_finding(state_, window_, points[static_cast<std::size_t>(at)].point);
+}
+
+void Actions::run(Action action) {
+  ViewOptions& view = state_.view_options;
+  switch (action) {
+    case Action::Open:
+      window_.browser.open(FileBrowser::Purpose::OpenMesh, window_.settings.last_folder);
+      break;
+    case Action::Export: {
+      std::string stem = std::filesystem::path(state_.document().name()).stem().string();
+      window_.browser.open(FileBrowser::Purpose::ExportPanels, window_.settings.last_folder,
+                           stem + "-panels.obj");
+      break;
+    }
+    case Action::Quit:
+      window_.quit = true;
+      break;
+    case Action::Undo:
+      state_.undo();
+      break;
+    case Action::Redo:
+      state_.redo();
+      break;
+    case Action::ModeDual:
+      set_mode(ComplexKind::Dual);
+      break;
+    case Action::ModePlanarize:
+      set_mode(ComplexKind::Planarize);
+      break;
+    case Action::SolveOrStop:
+      if (state_.solving()) {
+        state_.stop();
+      } else {
+        state_.solve();
+      }
+      break;
+    case Action::SolveAfresh:
+      state_.solve(AppState::Start::Afresh);
+      break;
+    case Action::AutoSolve:
+      state_.set_auto_solve(!state_.auto_solve());
+      window_.settings.auto_solve = state_.auto_solve();
+      break;
+    case Action::Fit:
+      window_.fit_wanted = true;
+      break;
+    case Action::ResetView:
+      window_.reset_view_wanted = true;
+      break;
+    case Action::Ghost:
+      view.ghost = !view.ghost;
+      window_.settings.show_ghost = view.ghost;
+      break;
+    case Action::Markers:
+      view.markers = !view.markers;
+      break;
+    case Action::ColourCycle:
+      view.colours = view.colours == ColourMap::None        ? ColourMap::Planarity
+                     : view.colours == ColourMap::Planarity ? ColourMap::Displacement
+                                                            : ColourMap::None;
+      break;
+    case Action::ColourNone:
+      view.colours = ColourMap::None;
+      break;
+    case Action::ColourPlanarity:
+      view.colours = ColourMap::Planarity;
+      break;
+    case Action::ColourDisplacement:
+      view.colours = ColourMap::Displacement;
+      break;
+    case Action::LockRange:
+      view.lock_range = !view.lock_range;
+      break;
+    case Action::Convergence:
+      window_.settings.convergence_open = !window_.settings.convergence_open;
+      break;
+    case Action::DarkTheme:
+      window_.settings.dark = !window_.settings.dark;
+      break;
+    case Action::NextFinding:
+      walk_findings(1);
+      break;
+    case Action::PreviousFinding:
+      walk_findings(-1);
+      break;
+    case Action::ClearSelection:
+      if (window_.show_keys || window_.show_about) {
+        window_.show_keys = window_.show_about = false;
+      } else {
+        state_.selected_panel.reset();
+        state_.selected_point.reset();
+      }
+      break;
+    case Action::Keys:
+      window_.show_keys = !window_.show_keys;
+      break;
+    case Action::Timings:
+      window_.show_timings = !window_.show_timings;
+      break;
+    case Action::About:
+      window_.show_about = !window_.show_about;
+      break;
+  }
+}
+
+void show_finding(AppState& state, WindowState& window, int point) {
+  const auto& shown = state.shown();
+  if (!shown || point < 0 || point >= shown->points.rows()) return;
+  state.selected_point = point;
+  state.selected_panel.reset();
+  window.right_tab = 0;
+  window.look_at = LookAt{shown->points.row(point).transpose(), 5.0 * shown->complex().mean_edge};
+}
+
+}  // namespace planewright::ui

@@ -1,0 +1,89 @@
+// Actions: everything that the window can be told to do, with its name, shortcut and whether it can be done
+// now. Menus, buttons and keys all go through here, so they agree. Requests are gathered while a frame is
+// drawn and applied at its end.
+//
+// Threads: the window's.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ui/app_state.h"
+#include "ui/window_state.h"
+
+namespace planewright::ui {
+
+enum class Action {
+  Open,
+  Export,
+  Quit,
+  Undo,
+  Redo,
+  ModeDual,
+  ModePlanarize,
+  SolveOrStop,
+  SolveAfresh,
+  AutoSolve,
+  Fit,
+  ResetView,
+  Ghost,
+  Markers,
+  ColourCycle,
+  ColourNone,
+  ColourPlanarity,
+  ColourDisplacement,
+  LockRange,
+  Convergence,
+  DarkTheme,
+  NextFinding,
+  PreviousFinding,
+  ClearSelection,
+  Keys,
+  Timings,
+  About,
+};
+
+// A key as the layout of the keyboard names it (GLFW_KEY_*), pressed once.
+struct KeyPress {
+  int key = 0;
+  bool ctrl = false, shift = false, alt = false;
+  bool operator==(const KeyPress&) const = default;
+};
+
+struct ActionInfo {
+  Action action;
+  std::string name;      // "undo": in records, scripts
+  std::string label;     // as a menu shows it
+  std::string shortcut;  // "Ctrl Z"
+  std::vector<KeyPress> keys;
+};
+
+const std::vector<ActionInfo>& action_list();
+const ActionInfo& info(Action action);
+
+class Actions {
+ public:
+  Actions(AppState& state, WindowState& window) : state_(state), window_(window) {}
+
+  bool enabled(Action action) const;
+  bool checked(Action action) const;
+  std::string label(Action action) const;  // "Undo flip edge 12"
+  void request(Action action) { requested_.push_back(action); }
+  // Requests what the key stands for; false if it stands for nothing.
+  bool press(const KeyPress& key);
+  void apply_requested();
+
+ private:
+  void run(Action action);
+  void walk_findings(int by);
+  void set_mode(ComplexKind mode);
+
+  AppState& state_;
+  WindowState& window_;
+  std::vector<Action> requested_;
+};
+
+// Selects an ill-determined point and looks at it.
+void show_finding(AppState& state, WindowState& window, int point);
+
+}  // namespace planewright::ui

@@ -1,0 +1,237 @@
+// Cards over the model: messages, what to try first, and help. None of them blocks anything.
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "ui/format.h"
+#include "ui/panels.h"
+
+namespace planewright::ui {
+namespace {
+
+// A floating card with a thin frame; `pivot` says which of its corners stands at `at`.
+bool begin_card(Ui& ui, const char* name, ImVec2 at, ImVec2 pivot, float width, bool* open = nullptr) {
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
+  if (width > 0) ImGui::SetNextWindowSize(ImVec2(width, 0));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(14), ui.px(11)));
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec4(ui.colours().overlay));
+  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
+  if (width <= 0) flags |= ImGuiWindowFlags_AlwaysAutoResize;
+  return ImGui::Begin(name, open, flags);
+}
+
+void end_card() {
+  ImGui::End();
+  ImGui::PopStyleColor();
+  ImGui::PopStyleVar(3);
+}
+
+bool close_cross(Ui& ui, std::string_view name) {
+  const float size = ImGui::GetFrameHeight();
+  ImGui::SameLine(ImGui::GetWindowWidth() - size - ui.px(8));
+  ButtonLook look;
+  look.quiet = true;
+  look.has_icon = true;
+  look.icon = Icon::Close;
+  look.width = size;
+  look.tooltip = "Close";
+  const ImVec2 at = ImGui::GetCursorPos();
+  ImGui::SetCursorPosY(at.y - ui.px(4));
+  return ui.button(name, ui.theme().has_icons() ? "" : "x", look);
+}
+
+void key_row(Ui& ui, const char* keys, const char* what) {
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float row = ImGui::GetTextLineHeight() + ui.px(5);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw_text_aligned(draw, ui.theme().regular(), at, ImVec2(at.x + ui.px(118), at.y + row), 0.0f,
+                    ui.colours().ink, keys);
+  draw_text_aligned(draw, ui.theme().regular(), ImVec2(at.x + ui.px(122), at.y),
+                    ImVec2(at.x + ui.px(400), at.y + row), 0.0f, ui.colours().ink_soft, what);
+  ImGui::Dummy(ImVec2(ui.px(330), row - ImGui::GetStyle().ItemSpacing.y));
+}
+
+void draw_keys_card(Desk& desk) {
+  Ui& ui = desk.ui;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowFocus();
+  if (begin_card(ui, "##keys", ImVec2(0.5f * screen.x, 0.5f * screen.y), ImVec2(0.5f, 0.5f), 0)) {
+    const Ui::Scope scope(ui, "Keys");
+    ui.heading("Keys and mouse");
+    if (close_cross(ui, "close")) desk.window.show_keys = false;
+    ui.separator();
+    ImGui::BeginGroup();
+    for (const ActionInfo& action : action_list()) {
+      if (action.shortcut.empty()) continue;
+      const std::string label =
+          action.action == Action::SolveOrStop ? "Solve, or stop and keep the best" : action.label;
+      key_row(ui, action.shortcut.c_str(), label.c_str());
+    }
+    ImGui::EndGroup();
+    ImGui::SameLine(0, ui.px(24));
+    ImGui::BeginGroup();
+    key_row(ui, "drag", "orbit round the point under the mouse");
+    key_row(ui, "shift drag", "pan (also middle or right button)");
+    key_row(ui, "wheel", "zoom to the mouse");
+    key_row(ui, "double click", "centre on the point");
+    key_row(ui, "click an edge", "flip it and solve again");
+    key_row(ui, "click a panel", "select it");
+    ui.gap(14);
+    ui.heading("Sliders");
+    key_row(ui, "drag, wheel", "change");
+    key_row(ui, "double click", "reset");
+    key_row(ui, "ctrl click", "type the number");
+    ImGui::EndGroup();
+  }
+  end_card();
+}
+
+void draw_timings_card(Desk& desk) {
+  Ui& ui = desk.ui;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  if (begin_card(ui, "##timings", ImVec2(0.5f * screen.x, ui.px(96)), ImVec2(0.5f, 0), ui.px(440))) {
+    const Ui::Scope scope(ui, "Timings");
+    ui.heading("Timings of the window's own thread");
+    if (close_cross(ui, "close")) desk.window.show_timings = false;
+    ui.separator();
+    const FrameTimings& t = desk.state.timings;
+    const float width = ImGui::GetContentRegionAvail().x;
+    const float row = ImGui::GetTextLineHeight() + ui.px(4);
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    const auto line = [&](const std::string& name, const std::string& count, const std::string& median,
+                          const std::string& most, ImFont* font, ImU32 ink) {
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      const auto cell = [&](float to, float align, const std::string& text) {
+        draw_text_aligned(draw, font, at, ImVec2(at.x + to * width, at.y + row), align, ink, text);
+      };
+      cell(1, 0, name);
+      cell(0.62f, 1, count);
+      cell(0.81f, 1, median);
+      cell(1, 1, most);
+      ImGui::Dummy(ImVec2(0, row - ImGui::GetStyle().ItemSpacing.y + ui.px(2)));
+    };
+    const auto series = [&](const char* name, const TimingSeries& s) {
+      line(name, format_count(static_cast<std::int64_t>(s.count())), format_number(s.median()),
+           format_number(s.max()), ui.theme().regular(), ui.colours().ink);
+    };
+    line("", "count", "median, ms", "most, ms", ui.theme().small(), ui.colours().ink_faint);
+    series("Drain the solver", t.drain);
+    series("Upload an iterate", t.upload);
+    series("Drain and upload, a frame", t.stream);
+    series("Prepare an iterate (worker)", t.prepare);
+    series("Draw the model", t.scene);
+    series("Draw the rest", t.panels);
+    series("Whole frame", t.frame);
+    ui.gap(4);
+    if (ui.button("reset", "Start counting anew")) desk.state.timings.clear();
+  }
+  end_card();
+}
+
+void draw_about_card(Desk& desk) {
+  Ui& ui = desk.ui;
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowFocus();
+  if (begin_card(ui, "##about", ImVec2(0.5f * screen.x, 0.5f * screen.y), ImVec2(0.5f, 0.5f), ui.px(430))) {
+    const Ui::Scope scope(ui, "About");
+    ui.heading("Planewright " PLANEWRIGHT_VERSION);
+    if (close_cross(ui, "close")) desk.window.show_about = false;
+    ui.separator();
+    ui.wrapped(
+        "Turns freeform surfaces into planar panels, after “Variational Tangent Plane Intersection for "
+        "Planar "
+        "Polygonal Meshing” by Zimmer, Campen, Herkrath and Kobbelt.");
+    ui.gap(6);
+    ui.wrapped("MIT licence. With Ipopt, MUMPS, OpenMesh, Eigen, Dear ImGui, GLFW, GLM and FreeType.", 0,
+               true);
+  }
+  end_card();
+}
+
+}  // namespace
+
+void draw_hint(Desk& desk, const Rect& viewport) {
+  if (!desk.window.settings.show_hint || desk.state.document().empty()) return;
+  Ui& ui = desk.ui;
+  const float width = std::min(ui.px(390), viewport.width() - ui.px(24));
+  if (width < ui.px(200)) return;
+  if (begin_card(ui, "##hint", ImVec2(viewport.max.x - ui.px(12), viewport.min.y + ui.px(12)), ImVec2(1, 0),
+                 width)) {
+    const Ui::Scope scope(ui, "Hint");
+    ui.heading("What to try");
+    if (close_cross(ui, "close")) desk.window.settings.show_hint = false;
+    const auto line = [&](const char* number, const char* text) {
+      ui.text(number, ui.colours().accent);
+      ImGui::SameLine(ui.px(34));
+      ui.wrapped(text);
+    };
+    line("1", "Drag the weight of Fairing on the left: the panels follow while the solver runs.");
+    line("2", "Click a blue edge of the input: it flips, and the panels are solved again.");
+    line("3", "Drop your own mesh on the window (.obj .off .ply .stl).");
+  }
+  end_card();
+}
+
+void draw_messages(Desk& desk, const Rect& viewport) {
+  Ui& ui = desk.ui;
+  const Palette& p = ui.colours();
+  float bottom = viewport.max.y - ui.px(12);
+  const float width = std::min(ui.px(420), viewport.width() - ui.px(24));
+  if (width < ui.px(160)) return;
+  std::optional<std::uint64_t> dismissed;
+  const auto& messages = desk.state.messages();
+  for (auto it = messages.rbegin(); it != messages.rend(); ++it) {
+    const Message& message = *it;
+    const bool error = message.kind == Message::Kind::Error, warning = message.kind == Message::Kind::Warning;
+    const ImU32 colour = error ? p.error : warning ? p.warning : p.good;
+    const std::string id = "##message" + std::to_string(message.id);
+    if (begin_card(ui, id.c_str(), ImVec2(viewport.max.x - ui.px(12), bottom), ImVec2(1, 1), width)) {
+      const Ui::Scope scope(ui, "Message");
+      const ImVec2 min = ImGui::GetWindowPos();
+      const ImVec2 max(min.x + ImGui::GetWindowWidth(), min.y + ImGui::GetWindowHeight());
+      ImGui::GetWindowDrawList()->AddRectFilled(min, ImVec2(min.x + ui.px(4), max.y), colour, ui.px(3),
+                                                ImDrawFlags_RoundCornersLeft);
+      const char* icon = ui.theme().icon(error ? Icon::Error : warning ? Icon::Warning : Icon::Done);
+      if (*icon != '\0') {
+        ui.text(icon, colour);
+        ImGui::SameLine();
+      }
+      ImGui::BeginGroup();
+      ImGui::PushTextWrapPos(ImGui::GetWindowWidth() - ui.px(44));
+      ImGui::PushFont(ui.theme().bold());
+      ui.text(message.what + (message.what.ends_with('.') ? "" : "."));
+      ImGui::PopFont();
+      if (!message.where.empty()) ui.small_text(message.where);
+      if (!message.remedy.empty()) ui.text(message.remedy, p.ink_soft);
+      ImGui::PopTextWrapPos();
+      ImGui::EndGroup();
+      ImGui::SetCursorPosY(ui.px(9));
+      ImGui::NewLine();
+      ImGui::SetCursorPosY(ui.px(9));
+      ImGui::SetCursorPosX(ImGui::GetWindowWidth() - ImGui::GetFrameHeight() - ui.px(6));
+      ButtonLook look;
+      look.quiet = true;
+      look.has_icon = true;
+      look.icon = Icon::Close;
+      look.width = ImGui::GetFrameHeight();
+      if (ui.button("close " + std::to_string(message.id), ui.theme().has_icons() ? "" : "x", look))
+        dismissed = message.id;
+      bottom = min.y - ui.px(8);
+    }
+    end_card();
+  }
+  if (dismissed) desk.state.dismiss(*dismissed);
+}
+
+void draw_help_cards(Desk& desk) {
+  if (desk.window.show_timings) draw_timings_card(desk);
+  if (desk.window.show_about) draw_about_card(desk);
+  if (desk.window.show_keys) draw_keys_card(desk);
+}
+
+}  // namespace planewright::ui

@@ -1,0 +1,48 @@
+// The parts of the window round the model, one file each. Every function draws its part into the given
+// rectangle, changes the design through AppState, and asks for everything else through Actions.
+//
+// Threads: the window's, inside a Dear ImGui frame.
+#pragma once
+
+#include "ui/actions.h"
+#include "ui/app_state.h"
+#include "ui/layout.h"
+#include "ui/widgets.h"
+#include "ui/window_state.h"
+
+namespace planewright::ui {
+
+// What every part needs.
+struct Desk {
+  Ui& ui;
+  AppState& state;
+  WindowState& window;
+  Actions& actions;
+};
+
+float draw_menu_bar(Desk& desk);  // returns its height
+void draw_toolbar(Desk& desk, const Rect& place);
+void draw_design_panel(Desk& desk, const Rect& place);       // left: mode, offset, weights, solve
+void draw_findings_panel(Desk& desk, const Rect& place);     // right: findings, report, selection
+void draw_convergence_panel(Desk& desk, const Rect& place);  // below the model
+void draw_status_bar(Desk& desk, const Rect& place);
+void draw_splitters(Desk& desk, const Layout& layout);
+
+// Over the model.
+void draw_hint(Desk& desk, const Rect& viewport);      // what to try at first
+void draw_messages(Desk& desk, const Rect& viewport);  // errors and notices; they wait for nobody
+void draw_help_cards(Desk& desk);                      // keys, timings, about
+
+// The two halves of the right panel that other parts do not need to know.
+void draw_energy_table(Desk& desk);
+void draw_report(Desk& desk);
+void draw_selection(Desk& desk);
+
+// An opaque, fixed window in which a part is drawn; false if it is too small to bother.
+bool begin_part(const char* name, const Rect& place, ImVec2 padding, ImGuiWindowFlags flags = 0);
+void end_part();
+// A thin line on one side of a part, drawn by its window.
+enum class Side { Left, Right, Top, Bottom };
+void draw_rim(Ui& ui, const Rect& place, Side side);
+
+}  // namespace planewright::ui

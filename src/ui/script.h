@@ -1,0 +1,39 @@
+// Script: what a test tells the real window to do, one command a line, and the words it is written in.
+//
+//   open PATH                      drop PATH                    sample NAME [PANELS]
+//   wait_loaded S   wait_solved S  wait_solving S               wait_iterates N S     wait_frames N
+//   click PATH      ctrl_click PATH   double_click PATH         hover PATH            wheel PATH NOTCHES
+//   drag PATH FRACTION             press PATH | move PATH FRACTION | release          drag_by PATH DX DY
+//   click_edge N|any   hover_edge N|any   click_model FX FY     orbit DX DY   pan DX DY   zoom NOTCHES
+//   key Ctrl+Z      type TEXT      export PATH                  screenshot FILE.png
+//   expect KEY OP VALUE            remember KEY NAME            print [KEY ...]       dump_ui   clear_timings
+//
+// PATH of a control is "Panel/name" in quotes where it has spaces; FRACTION is of a slider's travel. OP is
+// one of
+// == != < <= > >= contains. VALUE may be $NAME, a value that was remembered. # begins a comment.
+// Threads: plain values.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/result.h"
+
+namespace planewright::ui {
+
+struct ScriptCommand {
+  int line = 0;  // 1-based
+  std::vector<std::string> words;
+};
+
+struct Script {
+  std::string name;  // for messages
+  std::vector<ScriptCommand> commands;
+};
+
+// Fails with ErrorCode::Usage, naming the line: an unknown command, too few or too many words, an open quote.
+Result<Script> parse_script(const std::string& text, const std::string& name);
+Result<Script> load_script(const std::filesystem::path& path);
+
+}  // namespace planewright::ui

@@ -1,0 +1,67 @@
+// One sentence at the bottom: what is going on, and what came of it.
+#include <cmath>
+
+#include "ui/format.h"
+#include "ui/panels.h"
+
+namespace planewright::ui {
+namespace {
+
+std::string sentence(const Desk& desk) {
+  const AppState& state = desk.state;
+  const std::string& unit = desk.window.settings.unit;
+  if (state.loading()) return "Opening " + state.loading_name() + " …";
+  if (state.exporting()) return "Writing the panels …";
+  if (state.document().empty()) return "Drop a mesh on the window, or press Ctrl O.";
+  const auto& shown = state.shown();
+  if (state.solving()) {
+    std::string text = "Solving";
+    if (!state.history().empty()) {
+      const Iteration& at = state.history().back();
+      text += ": step " + format_count(at.number) + ", infeasibility " +
+              format_with_unit(at.infeasibility, "edges") + ", " + format_duration(at.seconds);
+      if (at.restoration) text += ", looking for a feasible place";
+    }
+    return text + ". Space stops and keeps the best state.";
+  }
+  if (!shown) return "Ready. Space solves.";
+  std::string text = "Ready. " + format_count(shown->complex().plane_count(), "panel", "panels") +
+                     ", largest deviation " + format_with_unit(shown->planarity.max, unit);
+  const auto ill = static_cast<std::int64_t>(shown->ill_determined.size());
+  text += ill == 0 ? ", every corner well determined."
+                   : ", " + format_count(ill, "ill-determined corner", "ill-determined corners") +
+                         " (N shows the next).";
+  return text;
+}
+
+}  // namespace
+
+void draw_status_bar(Desk& desk, const Rect& place) {
+  Ui& ui = desk.ui;
+  if (!begin_part("##status", place, ImVec2(ui.px(14), 0), ImGuiWindowFlags_NoScrollbar)) return;
+  const Ui::Scope scope(ui, "Status");
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Palette& p = ui.colours();
+  const std::string right = "orbit: drag   pan: shift drag   zoom: wheel   keys: ?";
+  ImFont* small = ui.theme().small();
+  const float right_width = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0, right.c_str()).x;
+  const float room = place.width() - right_width - ui.px(56);
+
+  float left = place.min.x + ui.px(14);
+  if (desk.state.solving() || desk.state.loading() || desk.state.exporting()) {
+    // Something turns while something runs.
+    const ImVec2 centre(left + ui.px(6), 0.5f * (place.min.y + place.max.y));
+    const auto angle = static_cast<float>(std::fmod(ImGui::GetTime() * 4.0, 6.283185307179586));
+    draw.PathArcTo(centre, ui.px(5), angle, angle + 4.2f, 18);
+    draw.PathStroke(p.accent, 0, ui.px(2));
+    left += ui.px(20);
+  }
+  draw_text_aligned(draw, small, ImVec2(left, place.min.y), place.max, 0.0f, p.ink,
+                    elided(small, sentence(desk), room));
+  draw_text_aligned(draw, small, place.min, ImVec2(place.max.x - ui.px(14), place.max.y), 1.0f, p.ink_faint,
+                    right);
+  draw_rim(ui, place, Side::Top);
+  end_part();
+}
+
+}  // namespace planewright::ui

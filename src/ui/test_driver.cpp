@@ -1,0 +1,625 @@
+#include "ui/test_driver.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <sstream>
+#include <utility>
+
+namespace planewright::ui {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kPatience = 120;  // frames that a control may take to appear
+
+std::string text_of(double value) {
+  char buffer[64];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return error == std::errc() ? std::string(buffer, end) : "?";
+}
+
+std::optional<double> number_in(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+bool holds(const std::string& found, const std::string& op, const std::string& wanted, bool& known) {
+  known = true;
+  if (op == "contains") return found.find(wanted) != std::string::npos;
+  const auto a = number_in(found), b = number_in(wanted);
+  const auto compare = [&](const auto& x, const auto& y) {
+    if (op == "==") return x == y;
+    if (op == "!=") return x != y;
+    if (op == "<") return x < y;
+    if (op == "<=") return x <= y;
+    if (op == ">") return x > y;
+    if (op == ">=") return x >= y;
+    known = false;
+    return false;
+  };
+  return a && b ? compare(*a, *b) : compare(found, wanted);
+}
+
+// "Ctrl+Shift+Z" -> key
+std::optional<KeyPress> parse_key(const std::string& text) {
+  KeyPress press;
+  std::string rest = text;
+  const auto take = [&](const std::string& prefix) {
+    if (!rest.starts_with(prefix)) return false;
+    rest.erase(0, prefix.size());
+    return true;
+  };
+  for (;;) {
+    if (take("Ctrl+")) {
+      press.ctrl = true;
+    } else if (take("Shift+")) {
+      press.shift = true;
+    } else {
+      break;
+    }
+  }
+  static const std::map<std::string, int> kNamed = {
+      {"Space", GLFW_KEY_SPACE}, {"Escape", GLFW_KEY_ESCAPE}, {"Enter", GLFW_KEY_ENTER},
+      {"Home", GLFW_KEY_HOME},   {"F1", GLFW_KEY_F1},         {"Up", GLFW_KEY_UP},
+      {"Down", GLFW_KEY_DOWN},   {"Tab", GLFW_KEY_TAB},       {"Backspace", GLFW_KEY_BACKSPACE}};
+  if (const auto named = kNamed.find(rest); named != kNamed.end()) {
+    press.key = named->second;
+  } else if (rest.size() == 1 && ((rest[0] >= 'A' && rest[0] <= 'Z') || (rest[0] >= '0' && rest[0] <= '9'))) {
+    press.key = rest[0];
+  } else {
+    return std::nullopt;
+  }
+  return press;
+}
+
+std::u32string decode(const std::string& utf8) {
+  std::u32string out;
+  for (std::size_t i = 0; i < utf8.size();) {
+    const auto lead = static_cast<unsigned char>(utf8[i]);
+    const std::size_t length = lead < 0x80 ? 1 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : 4;
+    char32_t code = length == 1 ? lead : lead & (0xFFu >> (length + 1));
+    for (std::size_t k = 1; k < length && i + k < utf8.size(); ++k) {
+      code = (code << 6) | (static_cast<unsigned char>(utf8[i + k]) & 0x3Fu);
+    }
+    out += code;
+    i += length;
+  }
+  return out;
+}
+
+const std::vector<std::string>& state_keys() {
+  static const std::vector<std::string> keys = {"document",
+                                                "vertices",
+                                                "faces",
+                                                "edges",
+                                                "mode",
+                                                "offset",
+                                                "freedom",
+                                                "border",
+                                                "revision",
+                                                "ticket",
+                                                "solving",
+                                                "settled",
+                                                "status",
+                                                "panels",
+                                                "points",
+                                                "iterates_before_end",
+                                                "steps",
+                                                "planarity",
+                                                "displacement",
+                                                "objective",
+                                                "ill_determined",
+                                                "fingerprint",
+                                                "undo",
+                                                "redo",
+                                                "can_undo",
+                                                "can_redo",
+                                                "colours",
+                                                "range",
+                                                "ghost",
+                                                "dark",
+                                                "unit",
+                                                "messages",
+                                                "messages_posted",
+                                                "last_message",
+                                                "selected_panel",
+                                                "selected_point",
+                                                "hovered_edge",
+                                                "browser_open",
+                                                "camera",
+                                                "drain_median_ms",
+                                                "drain_max_ms",
+                                                "upload_median_ms",
+                                                "upload_max_ms",
+                                                "stream_median_ms",
+                                                "stream_max_ms"};
+  return keys;
+}
+
+}  // namespace
+
+std::optional<std::string> state_value(const DriverContext& c, const std::string& key) {
+  const AppState& state = c.state;
+  const Document& document = state.document();
+  const auto& shown = state.shown();
+  const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
+  const auto count = [](auto n) { return std::to_string(n); };
+  if (key == "document") return document.name();
+  if (key == "vertices") return count(document.empty() ? 0 : document.mesh()->vertex_count());
+  if (key == "faces") return count(document.empty() ? 0 : document.mesh()->face_count());
+  if (key == "edges") return count(document.empty() ? 0 : document.mesh()->edge_count());
+  if (key == "mode") return std::string(document.settings().mode == ComplexKind::Dual ? "dual" : "planarize");
+  if (key == "offset") return text_of(document.settings().offset);
+  if (key == "freedom") return count(static_cast<int>(document.settings().freedom));
+  if (key == "border") return count(static_cast<int>(document.settings().border));
+  if (key.starts_with("weight.")) {
+    const auto found = document.settings().weights.find(key.substr(7));
+    return text_of(found == document.settings().weights.end() ? 0.0 : found->second);
+  }
+  if (key.starts_with("edge.")) {
+    const auto index = number_in(key.substr(5));
+    if (!index || document.empty() || *index < 0 || *index >= document.mesh()->edge_count())
+      return std::nullopt;
+    const MeshEdge edge = document.mesh()->edge(static_cast<int>(*index));
+    return count(std::min(edge.a, edge.b)) + "-" + count(std::max(edge.a, edge.b));
+  }
+  if (key.starts_with("ui:")) {
+    const UiRecord* record = c.ui.find(key.substr(3));
+    return record == nullptr ? "absent" : record->enabled ? "enabled" : "disabled";
+  }
+  if (key == "revision") return count(document.revision());
+  if (key == "ticket") return count(state.ticket());
+  if (key == "solving") return flag(state.solving());
+  if (key == "settled") return flag(state.settled());
+  if (key == "status")
+    return std::string(state.report() != nullptr ? planewright::name(state.report()->status) : "none");
+  if (key == "panels") return count(shown ? shown->complex().plane_count() : 0);
+  if (key == "points") return count(shown ? shown->complex().point_count() : 0);
+  if (key == "iterates_before_end") return count(state.iterates_before_end());
+  if (key == "steps") return count(state.history().empty() ? 0 : state.history().back().number);
+  if (key == "planarity") return text_of(shown ? shown->planarity.max : 0.0);
+  if (key == "planarity_relative") return text_of(shown ? shown->planarity.max_relative_to_bbox : 0.0);
+  if (key == "displacement") return text_of(shown ? shown->displacement.rms : 0.0);
+  if (key == "objective") return text_of(state.history().empty() ? 0.0 : state.history().back().objective);
+  if (key == "ill_determined") return count(shown ? shown->ill_determined.size() : 0);
+  if (key == "fingerprint") return count(shown ? shown->fingerprint : 0);
+  if (key == "undo") return document.undo_name();
+  if (key == "redo") return document.redo_name();
+  if (key == "can_undo") return flag(document.can_undo());
+  if (key == "can_redo") return flag(document.can_redo());
+  if (key == "colours") return std::string(name(state.view_options.colours));
+  if (key == "range") return text_of(state.colour_range());
+  if (key == "ghost") return flag(state.view_options.ghost);
+  if (key == "dark") return flag(c.window.settings.dark);
+  if (key == "unit") return c.window.settings.unit;
+  if (key == "messages") return count(state.messages().size());
+  if (key == "messages_posted") return count(state.messages_posted());
+  if (key == "last_message") {
+    if (state.messages().empty()) return std::string();
+    const Message& last = state.messages().back();
+    return last.where + ": " + last.what + ". " + last.remedy;
+  }
+  if (key == "selected_panel") return count(state.selected_panel.value_or(-1));
+  if (key == "selected_point") return count(state.selected_point.value_or(-1));
+  if (key == "hovered_edge") return count(c.viewport.hovered_edge().value_or(-1));
+  if (key == "browser_open") return flag(c.window.browser.is_open());
+  if (key == "camera") {
+    const Vector3d eye = c.viewport.camera().eye();
+    char buffer[96];
+    std::snprintf(buffer, sizeof buffer, "%.4g,%.4g,%.4g", eye.x(), eye.y(), eye.z());
+    return std::string(buffer);
+  }
+  if (key == "drain_median_ms") return text_of(state.timings.drain.median());
+  if (key == "drain_max_ms") return text_of(state.timings.drain.max());
+  if (key == "upload_median_ms") return text_of(state.timings.upload.median());
+  if (key == "upload_max_ms") return text_of(state.timings.upload.max());
+  if (key == "stream_median_ms") return text_of(state.timings.stream.median());
+  if (key == "stream_max_ms") return text_of(state.timings.stream.max());
+  return std::nullopt;
+}
+
+// --- Input
+// -----------------------------------------------------------------------------------------------------
+
+void TestDriver::push(Input input, int frames) {
+  inputs_.push_back(std::move(input));
+  for (int i = 1; i < frames; ++i) inputs_.emplace_back();
+}
+
+void TestDriver::click_at(ImVec2 at, bool ctrl, bool twice) {
+  push({.mouse = at, .ctrl = ctrl, .double_clicks = twice}, 2);
+  push({.left = true}, 2);
+  push({.left = false});
+  if (twice) {
+    push({.left = true}, 2);
+    push({.left = false});
+  }
+  push({.ctrl = false, .double_clicks = false}, 2);
+}
+
+void TestDriver::drag_line(ImVec2 from, ImVec2 to, bool middle) {
+  constexpr int kSteps = 10;
+  push({.mouse = from}, 2);
+  Input down, up;
+  (middle ? down.middle : down.left) = true;
+  (middle ? up.middle : up.left) = false;
+  push(down, 2);
+  for (int i = 1; i <= kSteps; ++i) {
+    const float t = static_cast<float>(i) / kSteps;
+    push({.mouse = ImVec2(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y))});
+  }
+  push({}, 2);
+  push(up, 2);
+}
+
+void TestDriver::inject(ImGuiIO& io) {
+  io.ConfigInputTextCursorBlink = false;  // pictures of the same state are the same
+  pressed_.clear();
+  typed_.clear();
+  if (key_down_) {
+    io.KeysDown[*key_down_] = false;
+    key_down_.reset();
+    ctrl_ = shift_ = false;
+  }
+  if (!inputs_.empty()) {
+    const Input input = std::move(inputs_.front());
+    inputs_.pop_front();
+    if (input.mouse) mouse_ = *input.mouse;
+    left_ = input.left.value_or(left_);
+    middle_ = input.middle.value_or(middle_);
+    ctrl_ = input.ctrl.value_or(ctrl_);
+    shift_ = input.shift.value_or(shift_);
+    double_clicks_ = input.double_clicks.value_or(double_clicks_);
+    io.MouseWheel = input.wheel;
+    if (input.key) {
+      pressed_.push_back(*input.key);
+      io.KeysDown[input.key->key] = true;
+      key_down_ = input.key->key;
+      ctrl_ = input.key->ctrl;
+      shift_ = input.key->shift;
+    }
+    typed_ = decode(input.text);
+    for (const char32_t c : typed_) io.AddInputCharacter(static_cast<unsigned>(c));
+  }
+  io.MousePos = mouse_;
+  io.MouseDown[0] = left_;
+  io.MouseDown[1] = false;
+  io.MouseDown[2] = middle_;
+  io.KeyCtrl = ctrl_;
+  io.KeyShift = shift_;
+  io.KeyAlt = io.KeySuper = false;
+  // Two clicks are a double click when the script says so, however long frames take.
+  io.MouseDoubleClickTime = double_clicks_ ? 10.0f : 0.0f;
+}
+
+// --- Commands
+// --------------------------------------------------------------------------------------------------
+
+void TestDriver::fail_with(const std::string& what) {
+  if (!failure_) failure_ = script_.name + ":" + std::to_string(line_) + ": " + what;
+}
+
+double TestDriver::number(const std::string& word) {
+  const auto value = number_in(expanded(word));
+  if (!value) fail_with("'" + word + "' is not a number");
+  return value.value_or(0.0);
+}
+
+std::string TestDriver::expanded(const std::string& word) const {
+  std::string out = word;
+  // $NAME, alone or inside a word ("edge.$edge").
+  for (auto at = out.find('$'); at != std::string::npos; at = out.find('$', at + 1)) {
+    for (const auto& [name, value] : remembered_) {
+      if (out.compare(at + 1, name.size(), name) == 0 && at + 1 + name.size() == out.size()) {
+        return out.substr(0, at) + value;
+      }
+    }
+  }
+  return out;
+}
+
+void TestDriver::wait(std::string what, double seconds, std::function<bool(const DriverContext&, int)> over) {
+  const auto limit =
+      std::chrono::duration_cast<std::chrono::steady_clock::duration>(std::chrono::duration<double>(seconds));
+  waiting_ = Waiting{std::move(over), std::chrono::steady_clock::now() + limit, std::move(what)};
+}
+
+const UiRecord* TestDriver::control(const std::string& path, const DriverContext& context) {
+  const UiRecord* record = context.ui.find(path);
+  if (record != nullptr && record->clickable) {
+    looked_for_ = 0;
+    return record;
+  }
+  // Not there yet, or scrolled out of sight: ask for it and look again in the next frame.
+  context.ui.want_visible(path);
+  if (++looked_for_ > kPatience) {
+    fail_with(record == nullptr ? "there is no control '" + path + "'"
+                                : "the control '" + path + "' is out of sight");
+    looked_for_ = 0;
+  }
+  return nullptr;
+}
+
+std::optional<ImVec2> TestDriver::find_edge(const std::string& which, const DriverContext& context) {
+  const AppState& state = context.state;
+  if (!state.mesh_view()) {
+    fail_with("there is no mesh");
+    return std::nullopt;
+  }
+  if (which != "any") {
+    const int edge = static_cast<int>(number(which));
+    const auto at = context.viewport.clickable_place_of_edge(state, edge);
+    if (!at) fail_with("edge " + which + " cannot be clicked in this view");
+    remembered_["edge"] = which;
+    return at;
+  }
+  // The flippable edge that is nearest to the middle of the view.
+  const auto& view = *state.mesh_view();
+  const auto& camera = context.viewport.camera();
+  std::vector<std::pair<float, int>> candidates;
+  for (int e = 0; e < static_cast<int>(view.edges.size()); ++e) {
+    if (!view.mesh->can_flip(e)) continue;
+    const auto [a, b] = view.edges[static_cast<std::size_t>(e)];
+    const glm::vec2 at = camera.project(0.5 * (view.points.row(a) + view.points.row(b)).transpose());
+    candidates.emplace_back(std::hypot(at.x - 0.5f * static_cast<float>(camera.width()),
+                                       at.y - 0.5f * static_cast<float>(camera.height())),
+                            e);
+  }
+  std::sort(candidates.begin(), candidates.end());
+  constexpr std::size_t kTries = 200;
+  for (std::size_t i = 0; i < std::min(candidates.size(), kTries); ++i) {
+    if (const auto at = context.viewport.clickable_place_of_edge(state, candidates[i].second)) {
+      remembered_["edge"] = std::to_string(candidates[i].second);
+      return at;
+    }
+  }
+  fail_with("no edge of this view can be clicked");
+  return std::nullopt;
+}
+
+std::optional<std::filesystem::path> TestDriver::take_screenshot_request() {
+  return std::exchange(screenshot_, std::nullopt);
+}
+
+void TestDriver::step(const DriverContext& context, int frame) {
+  for (const KeyPress& key : pressed_) context.press_key(key);
+  for (const char32_t c : typed_) context.type_character(c);
+  pressed_.clear();
+  typed_.clear();
+  while (!failure_ && inputs_.empty() && !screenshot_) {
+    if (waiting_) {
+      if (waiting_->over(context, frame)) {
+        waiting_.reset();
+      } else if (std::chrono::steady_clock::now() > waiting_->deadline) {
+        fail_with("waited in vain " + waiting_->what);
+        return;
+      } else {
+        return;
+      }
+    }
+    if (next_ >= script_.commands.size()) return;
+    const std::size_t before = next_;
+    run(script_.commands[next_], context, frame);
+    if (next_ == before) return;  // asks to be run again in the next frame
+  }
+}
+
+void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int frame) {
+  const auto& words = command.words;
+  const std::string& verb = words[0];
+  line_ = command.line;
+  const auto middle_of = [](const UiRecord& r) {
+    return ImVec2(std::round(r.middle().x), std::round(r.middle().y));
+  };
+  const auto at_fraction = [](const UiRecord& r, double fraction) {
+    return ImVec2(r.travel_left + static_cast<float>(fraction) * (r.travel_right - r.travel_left),
+                  std::round(r.middle().y));
+  };
+
+  // Commands on a control wait for it to be there.
+  static constexpr std::array kOnControls = {"click", "ctrl_click", "double_click", "hover",  "wheel",
+                                             "drag",  "press",      "move",         "drag_by"};
+  const UiRecord* target = nullptr;
+  if (std::find(kOnControls.begin(), kOnControls.end(), verb) != kOnControls.end()) {
+    target = control(words[1], c);
+    if (target == nullptr) return;
+    if (!target->enabled && verb != "hover") return fail_with("the control '" + words[1] + "' is disabled");
+  }
+  ++next_;
+
+  if (verb == "open") {
+    c.state.open_file(expanded(words[1]));
+  } else if (verb == "drop") {
+    c.drop({expanded(words[1])});
+  } else if (verb == "sample") {
+    c.state.open_sample(words[1], words.size() > 2 ? static_cast<int>(number(words[2])) : 0);
+  } else if (verb == "wait_loaded") {
+    wait("for the file to be read", number(words[1]),
+         [](const DriverContext& now, int) { return !now.state.loading(); });
+  } else if (verb == "wait_solved") {
+    wait("for the solve to end", number(words[1]),
+         [](const DriverContext& now, int) { return now.state.settled(); });
+  } else if (verb == "wait_solving") {
+    wait("for a solve to begin", number(words[1]),
+         [](const DriverContext& now, int) { return now.state.solving(); });
+  } else if (verb == "wait_iterates") {
+    const int wanted = static_cast<int>(number(words[1]));
+    wait("for " + words[1] + " iterates of a running solve", number(words[2]),
+         [wanted](const DriverContext& now, int) { return now.state.iterates_before_end() >= wanted; });
+  } else if (verb == "wait_frames") {
+    const int until = frame + static_cast<int>(number(words[1]));
+    wait("for frames", 600, [until](const DriverContext&, int now) { return now >= until; });
+  } else if (verb == "click" || verb == "ctrl_click" || verb == "double_click") {
+    click_at(middle_of(*target), verb == "ctrl_click", verb == "double_click");
+  } else if (verb == "hover") {
+    push({.mouse = middle_of(*target)}, 3);
+  } else if (verb == "wheel") {
+    const double notches = number(words[2]);
+    push({.mouse = middle_of(*target)}, 2);
+    for (int i = 0; i < static_cast<int>(std::abs(notches)); ++i) push({.wheel = notches > 0 ? 1.0f : -1.0f});
+    push({}, 2);
+  } else if (verb == "drag") {
+    drag_line(ImVec2(target->knob, std::round(target->middle().y)), at_fraction(*target, number(words[2])));
+  } else if (verb == "press") {
+    push({.mouse =
+              ImVec2(target->knob != 0 ? target->knob : target->middle().x, std::round(target->middle().y))},
+         2);
+    push({.left = true}, 2);
+  } else if (verb == "move") {
+    push({.mouse = at_fraction(*target, number(words[2]))}, 2);
+  } else if (verb == "release") {
+    push({.left = false}, 2);
+  } else if (verb == "drag_by") {
+    const ImVec2 from = middle_of(*target);
+    drag_line(from, ImVec2(from.x + static_cast<float>(number(words[2])),
+                           from.y + static_cast<float>(number(words[3]))));
+  } else if (verb == "click_edge" || verb == "hover_edge") {
+    if (const auto at = find_edge(expanded(words[1]), c)) {
+      if (verb == "click_edge") {
+        click_at(*at);
+      } else {
+        push({.mouse = *at}, 3);
+      }
+    }
+  } else if (verb == "click_model" || verb == "orbit" || verb == "pan" || verb == "zoom") {
+    const UiRecord* model = c.ui.find("model");
+    if (model == nullptr) return fail_with("there is no model to click on");
+    if (verb == "click_model") {
+      click_at(ImVec2(model->min.x + static_cast<float>(number(words[1])) * (model->max.x - model->min.x),
+                      model->min.y + static_cast<float>(number(words[2])) * (model->max.y - model->min.y)));
+    } else if (verb == "zoom") {
+      const double notches = number(words[1]);
+      push({.mouse = middle_of(*model)}, 2);
+      for (int i = 0; i < static_cast<int>(std::abs(notches)); ++i)
+        push({.wheel = notches > 0 ? 1.0f : -1.0f});
+      push({}, 2);
+    } else {
+      const ImVec2 from = middle_of(*model);
+      drag_line(from,
+                ImVec2(from.x + static_cast<float>(number(words[1])),
+                       from.y + static_cast<float>(number(words[2]))),
+                verb == "pan");
+    }
+  } else if (verb == "key") {
+    if (words[1] == "?") {
+      push({.text = "?"});
+      push({}, 2);
+    } else if (const auto key = parse_key(words[1])) {
+      Input input;
+      input.key = *key;
+      push(input);
+      push({}, 2);
+    } else {
+      fail_with("there is no key '" + words[1] + "'");
+    }
+  } else if (verb == "type") {
+    Input input;
+    input.text = expanded(words[1]);
+    push(input);
+    push({}, 2);
+  } else if (verb == "export") {
+    c.state.export_panels(expanded(words[1]));
+    wait("for the export", 60, [](const DriverContext& now, int) { return !now.state.exporting(); });
+  } else if (verb == "screenshot") {
+    screenshot_ = expanded(words[1]);
+  } else if (verb == "expect") {
+    const std::string key = expanded(words[1]), wanted = expanded(words[3]);
+    const auto found = state_value(c, key);
+    if (!found) return fail_with("there is no value '" + key + "'");
+    bool known = true;
+    if (!holds(*found, words[2], wanted, known)) {
+      fail_with(known ? "expected " + key + " " + words[2] + " " + wanted + ", found " + *found
+                      : "there is no comparison '" + words[2] + "'");
+    }
+  } else if (verb == "remember") {
+    const auto found = state_value(c, expanded(words[1]));
+    if (!found) return fail_with("there is no value '" + words[1] + "'");
+    remembered_[words[2]] = *found;
+  } else if (verb == "print") {
+    std::vector<std::string> keys(words.begin() + 1, words.end());
+    if (keys.empty()) keys = state_keys();
+    for (const std::string& key : keys) {
+      std::cout << expanded(key) << " = " << state_value(c, expanded(key)).value_or("?") << "\n";
+    }
+    std::cout.flush();
+  } else if (verb == "dump_ui") {
+    UiDump::print_controls(std::cout, c);
+  } else if (verb == "clear_timings") {
+    c.state.timings.clear();
+  }
+}
+
+// --- Dump
+// ------------------------------------------------------------------------------------------------------
+
+void UiDump::print_controls(std::ostream& out, const DriverContext& c) {
+  out << "controls begin\n";
+  for (const auto& [path, r] : c.ui.records()) {
+    if (c.ui.find(path) == nullptr) continue;
+    out << "control " << std::lround(r.min.x) << ' ' << std::lround(r.min.y) << ' ' << std::lround(r.max.x)
+        << ' ' << std::lround(r.max.y) << ' ' << (r.clickable ? "in-sight" : "out-of-sight") << ' '
+        << (r.enabled ? "enabled" : "disabled") << ' ' << std::lround(r.knob) << ' ' << path << "\n";
+  }
+  // A few edges that a click would flip, nearest to the middle of the view first.
+  const auto& view = c.state.mesh_view();
+  if (view) {
+    const auto& camera = c.viewport.camera();
+    std::vector<std::pair<float, int>> candidates;
+    for (int e = 0; e < static_cast<int>(view->edges.size()); ++e) {
+      if (!view->mesh->can_flip(e)) continue;
+      const auto [a, b] = view->edges[static_cast<std::size_t>(e)];
+      const glm::vec2 at = camera.project(0.5 * (view->points.row(a) + view->points.row(b)).transpose());
+      candidates.emplace_back(std::hypot(at.x - 0.5f * static_cast<float>(camera.width()),
+                                         at.y - 0.5f * static_cast<float>(camera.height())),
+                              e);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    int printed = 0;
+    for (std::size_t i = 0; i < std::min<std::size_t>(candidates.size(), 40) && printed < 5; ++i) {
+      const int edge = candidates[i].second;
+      if (const auto at = c.viewport.clickable_place_of_edge(c.state, edge)) {
+        out << "edge " << edge << ' ' << std::lround(at->x) << ' ' << std::lround(at->y) << "\n";
+        ++printed;
+      }
+    }
+  }
+  out << "controls end\n" << std::flush;
+}
+
+void UiDump::frame(const DriverContext& c) {
+  std::ostringstream controls;
+  for (const auto& [path, r] : c.ui.records()) {
+    if (c.ui.find(path) == nullptr) continue;
+    controls << path << std::lround(r.min.x) << std::lround(r.min.y) << std::lround(r.max.x)
+             << std::lround(r.max.y) << r.clickable << r.enabled << std::lround(r.knob);
+  }
+  controls << state_value(c, "camera").value_or("") << state_value(c, "revision").value_or("");
+  still_ = controls.str() == controls_ ? still_ + 1 : 0;
+  controls_ = controls.str();
+  constexpr int kRest = 3;
+  if (still_ >= kRest && controls_ != printed_controls_) {
+    printed_controls_ = controls_;
+    print_controls(out_, c);
+  }
+  std::ostringstream line;
+  line << "state";
+  for (const char* key :
+       {"document", "revision", "ticket", "solving", "settled", "status", "iterates_before_end",
+        "weight.fairing", "undo", "camera", "colours", "messages_posted", "hovered_edge"}) {
+    line << ' ' << key << "=\"" << state_value(c, key).value_or("?") << '"';
+  }
+  if (line.str() != printed_state_) {
+    printed_state_ = line.str();
+    out_ << printed_state_ << "\n" << std::flush;
+  }
+}
+
+}  // namespace planewright::ui

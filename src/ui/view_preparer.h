@@ -1,0 +1,62 @@
+// ViewPreparer: turns iterates into what the window shows, on a thread of its own.
+//
+// Measuring 10,000 panels (planarity, displacement, determinacy) takes longer than a frame may; so a worker
+// takes the newest iterate, and the window's thread picks up arrays that are ready to upload. Iterates that
+// arrive while one is being prepared replace each other; the last one of a solve is never replaced by an
+// earlier one.
+//
+// Threads: submit() and take() from the window's thread; neither waits for the worker's computing.
+// Units: model units; positions relative to the scene's origin.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "core/diagnose/ill_determined.h"
+#include "core/diagnose/planarity.h"
+#include "core/solve/solve_session.h"
+
+namespace planewright::ui {
+
+struct PrepareJob {
+  std::shared_ptr<const Iterate> iterate;
+  Vector3d scene_origin = Vector3d::Zero();  // model coordinates of the scene's 0
+  bool final = false;                        // the outcome of a solve
+};
+
+struct PreparedView {
+  std::shared_ptr<const Iterate> iterate;
+  bool final = false;
+  Points points;  // #X x 3, scene coordinates
+  Planarity planarity;
+  Displacement displacement;
+  std::vector<IllDetermined> ill_determined;
+  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();  // bounding box, scene coordinates
+  std::uint64_t fingerprint = 0;  // of the points' bits: equal states have equal fingerprints
+  double milliseconds = 0.0;      // spent preparing
+
+  std::uint64_t ticket() const { return iterate->ticket; }
+  const TangentComplex& complex() const { return *iterate->complex; }
+};
+
+PreparedView prepare_view(const PrepareJob& job);
+
+class ViewPreparer {
+ public:
+  // `wake`: called on the worker when a view is ready.
+  explicit ViewPreparer(std::function<void()> wake);
+  ~ViewPreparer();
+  ViewPreparer(const ViewPreparer&) = delete;
+  ViewPreparer& operator=(const ViewPreparer&) = delete;
+
+  void submit(PrepareJob job);
+  // The newest view that was not taken yet, or null.
+  std::shared_ptr<const PreparedView> take();
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace planewright::ui

@@ -1,0 +1,650 @@
+#include "ui/viewport.h"
+
+#include <epoxy/gl.h>
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "ui/format.h"
+#include "ui/render/colour_map.h"
+#include "ui/render/picking.h"
+
+namespace planewright::ui {
+namespace {
+
+constexpr float kClickSlop = 4;      // pixels at scale 1 that a click may wander
+constexpr float kEdgeReach = 7;      // pixels at scale 1 within which an edge is hit
+constexpr double kSlowPicture = 28;  // milliseconds above which a moving picture is drawn coarser
+constexpr double kZoomPerNotch = 1.15;
+
+// The texture and depth buffer that the model is drawn into.
+class Target {
+ public:
+  Target() = default;
+  Target(const Target&) = delete;
+  Target& operator=(const Target&) = delete;
+  ~Target() { release(); }
+
+  // True if the size changed, so that the picture is gone.
+  bool resize(int width, int height) {
+    if (width == width_ && height == height_) return false;
+    release();
+    width_ = width;
+    height_ = height;
+    glGenTextures(1, &texture_);
+    glBindTexture(GL_TEXTURE_2D, texture_);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, 0);
+    glGenRenderbuffers(1, &depth_);
+    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    glGenFramebuffers(1, &framebuffer_);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return true;
+  }
+  GLuint framebuffer() const { return framebuffer_; }
+  ImTextureID texture() const { return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)); }
+  int width() const { return width_; }
+  int height() const { return height_; }
+
+ private:
+  void release() {
+    if (framebuffer_ != 0) glDeleteFramebuffers(1, &framebuffer_);
+    if (depth_ != 0) glDeleteRenderbuffers(1, &depth_);
+    if (texture_ != 0) glDeleteTextures(1, &texture_);
+    framebuffer_ = depth_ = texture_ = 0;
+  }
+
+  GLuint framebuffer_ = 0, texture_ = 0, depth_ = 0;
+  int width_ = 0, height_ = 0;
+};
+
+ImU32 to_colour(glm::vec3 rgb) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(rgb.r, rgb.g, rgb.b, 1.0f));
+}
+
+render::ColourScale colour_scale(const AppState& state, const std::string& unit) {
+  render::ColourScale scale;
+  scale.low = 0;
+  scale.high = state.colour_range();
+  scale.unit = unit;
+  if (state.view_options.colours == ColourMap::Planarity) {
+    scale.quantity = "Planarity";
+    if (const double tolerance = state.planarity_tolerance(); tolerance > 0 && tolerance < scale.high) {
+      scale.tolerance = tolerance;
+    }
+  } else {
+    scale.quantity = "Displacement";
+  }
+  return scale;
+}
+
+bool same(const std::optional<render::ColourScale>& a, const std::optional<render::ColourScale>& b) {
+  if (a.has_value() != b.has_value()) return false;
+  return !a || (a->low == b->low && a->high == b->high && a->quantity == b->quantity && a->unit == b->unit &&
+                a->tolerance == b->tolerance);
+}
+
+}  // namespace
+
+struct Viewport::Impl {
+  explicit Impl(render::Renderer r) : renderer(std::move(r)) {}
+
+  render::Renderer renderer;
+  render::Camera camera;
+  Target target;
+  Rect place{};           // on the window
+  float pixel_ratio = 1;  // framebuffer pixels per window pixel
+
+  // What the renderer holds.
+  std::shared_ptr<const MeshView> mesh;
+  std::shared_ptr<const PreparedView> shown;
+  std::shared_ptr<const TangentComplex> drawn_complex;
+  render::PolygonLayer occluder;     // the ghost's faces, for picking
+  render::PolygonLayer panel_layer;  // the panels as shown, for picking
+  ColourMap colours = ColourMap::None;
+  std::optional<render::ColourScale> scale;
+  bool dark = false, ghost = true, markers = true;
+  std::optional<int> marked_point, marked_panel, marked_edge;
+  bool marks_stale = true;
+  std::uint64_t fitted = 0;
+
+  bool dirty = true, coarse_picture = false, redrawn = false;
+  bool moving = false;  // the camera, by the mouse, in this frame
+  double fine_ms = 0;   // what a full picture took lately
+
+  // The mouse.
+  std::optional<int> hovered;
+  bool pressed = false, dragging = false, pans = false, flipped_by_click = false;
+  ImVec2 press_at{}, last_at{};
+  Vector3d pivot = Vector3d::Zero();
+  glm::vec2 hover_probe{-1, -1};
+  std::uint64_t hover_revision = 0;
+
+  glm::vec2 to_picture(ImVec2 window) const {
+    return {(window.x - place.min.x) * pixel_ratio, (window.y - place.min.y) * pixel_ratio};
+  }
+  ImVec2 to_window(glm::vec2 picture) const {
+    return {place.min.x + picture.x / pixel_ratio, place.min.y + picture.y / pixel_ratio};
+  }
+
+  const render::PolygonLayer* pick_layer() const {
+    if (shown && panel_layer.points.rows() > 0) return &panel_layer;
+    return mesh ? &occluder : nullptr;
+  }
+  Vector3d pivot_under(ImVec2 window) const {
+    const auto ray = camera.ray(to_picture(window));
+    if (const render::PolygonLayer* layer = pick_layer()) {
+      if (const auto hit = render::pick_polygon(*layer, ray)) return hit->position;
+    }
+    return camera.target();
+  }
+  std::optional<int> edge_under(ImVec2 window, float scale_factor) const {
+    if (!mesh) return std::nullopt;
+    return render::pick_edge(mesh->points, mesh->edges, camera, to_picture(window),
+                             kEdgeReach * scale_factor * pixel_ratio, &occluder);
+  }
+
+  void set_values(Vector& per_panel, Vector& per_point) const {
+    per_panel.resize(0);
+    per_point.resize(0);
+    if (colours == ColourMap::Planarity) per_panel = shown->planarity.per_panel;
+    if (colours == ColourMap::Displacement) per_point = shown->displacement.per_point;
+  }
+
+  void upload_marks(const AppState& state);
+  void mouse(Ui& ui, AppState& state, bool hovered_now);
+  void click(Ui& ui, AppState& state, ImVec2 at);
+  void picture(Ui& ui, AppState& state);
+  void overlays(Ui& ui, const AppState& state, const std::string& unit) const;
+  void draw_legend(Ui& ui, ImDrawList& draw) const;
+  void draw_badge(Ui& ui, const AppState& state, const std::string& unit, ImDrawList& draw) const;
+  void draw_axes(Ui& ui, ImDrawList& draw) const;
+};
+
+Result<Viewport> Viewport::create() {
+  return render::Renderer::create().map(
+      [](render::Renderer&& renderer) { return Viewport(std::make_unique<Impl>(std::move(renderer))); });
+}
+Viewport::Viewport(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Viewport::Viewport(Viewport&&) noexcept = default;
+Viewport& Viewport::operator=(Viewport&&) noexcept = default;
+Viewport::~Viewport() = default;
+
+std::optional<int> Viewport::hovered_edge() const {
+  return impl_->hovered;
+}
+const render::Camera& Viewport::camera() const {
+  return impl_->camera;
+}
+bool Viewport::take_redrawn() {
+  return std::exchange(impl_->redrawn, false);
+}
+
+// --- Upload
+// ----------------------------------------------------------------------------------------------------
+
+void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
+  Impl& v = *impl_;
+  const Stopwatch watch;
+  bool streamed = false;
+
+  const bool new_mesh = v.mesh != state.mesh_view();
+  const bool new_view = v.shown != state.shown();
+  const bool new_colours = v.colours != state.view_options.colours;
+  v.colours = state.view_options.colours;
+
+  if (new_mesh) {
+    v.mesh = state.mesh_view();
+    v.occluder = {};
+    if (v.mesh) {
+      v.occluder.points = v.mesh->points;
+      v.occluder.polygons = v.mesh->faces;
+    }
+    v.hover_probe = {-1, -1};
+  }
+  if (new_mesh || new_view || new_colours) {
+    v.shown = state.shown();
+    const bool same_panels = v.shown && v.drawn_complex && !new_mesh &&
+                             v.panel_layer.points.rows() == v.shown->points.rows() &&
+                             (v.drawn_complex == v.shown->iterate->complex ||
+                              v.drawn_complex->panels == v.shown->complex().panels);
+    if (v.shown) {
+      v.panel_layer.points = v.shown->points;
+      v.set_values(v.panel_layer.polygon_values, v.panel_layer.point_values);
+    }
+    if (same_panels) {
+      v.drawn_complex = v.shown->iterate->complex;
+      v.renderer.update_panel_points(v.panel_layer.points, v.panel_layer.polygon_values,
+                                     v.panel_layer.point_values);
+    } else {
+      render::Scene scene;
+      if (v.mesh) scene.ghost = v.occluder;
+      v.drawn_complex.reset();
+      if (v.shown) {
+        v.drawn_complex = v.shown->iterate->complex;
+        v.panel_layer.polygons = v.drawn_complex->panels;
+        scene.panels = v.panel_layer;
+      } else {
+        v.panel_layer = {};
+      }
+      v.renderer.set_scene(scene);
+      v.scale.reset();
+    }
+    v.marks_stale = true;
+    v.dirty = true;
+    streamed = new_view;
+  }
+
+  std::optional<render::ColourScale> scale;
+  if (v.shown && v.colours != ColourMap::None) scale = colour_scale(state, unit);
+  if (!same(scale, v.scale)) {
+    v.scale = scale;
+    v.renderer.set_colours(scale);
+    v.dirty = true;
+  }
+  if (v.dark != dark || v.ghost != state.view_options.ghost) {
+    v.dark = dark;
+    v.ghost = state.view_options.ghost;
+    v.dirty = true;
+  }
+  v.upload_marks(state);
+  if (v.fitted != state.opened_count() && v.mesh && v.place.width() > 1) {
+    v.fitted = state.opened_count();
+    v.camera.reset_direction();
+    fit(state);
+  }
+  if (streamed) state.timings.upload.add(watch.milliseconds());
+}
+
+void Viewport::Impl::upload_marks(const AppState& state) {
+  const bool stale = marks_stale || markers != state.view_options.markers ||
+                     marked_point != state.selected_point || marked_panel != state.selected_panel ||
+                     marked_edge != hovered;
+  if (!stale) return;
+  marks_stale = false;
+  markers = state.view_options.markers;
+  marked_point = state.selected_point;
+  marked_panel = state.selected_panel;
+  marked_edge = hovered;
+
+  std::vector<render::Marker> marks;
+  std::vector<render::Segment> segments;
+  if (shown) {
+    if (markers) {
+      for (const IllDetermined& point : shown->ill_determined) {
+        marks.push_back({shown->points.row(point.point).transpose(), render::Marker::Kind::Warning});
+      }
+    }
+    if (marked_point && *marked_point < shown->points.rows()) {
+      marks.push_back({shown->points.row(*marked_point).transpose(), render::Marker::Kind::Selected});
+    }
+    if (marked_panel && *marked_panel < panel_layer.polygons.size()) {
+      const auto corners = panel_layer.polygons[*marked_panel];
+      for (std::size_t k = 0; k < corners.size(); ++k) {
+        segments.push_back({shown->points.row(corners[k]).transpose(),
+                            shown->points.row(corners[(k + 1) % corners.size()]).transpose(),
+                            render::Segment::Kind::Selected});
+      }
+    }
+  }
+  if (mesh && hovered && *hovered < static_cast<int>(mesh->edges.size())) {
+    const auto [a, b] = mesh->edges[static_cast<std::size_t>(*hovered)];
+    segments.push_back(
+        {mesh->points.row(a).transpose(), mesh->points.row(b).transpose(), render::Segment::Kind::Hovered});
+  }
+  renderer.set_markers(marks, segments);
+  dirty = true;
+}
+
+// --- Camera
+// ----------------------------------------------------------------------------------------------------
+
+void Viewport::fit(const AppState& state) {
+  if (!state.mesh_view()) return;
+  Vector3d low = state.mesh_view()->low, high = state.mesh_view()->high;
+  if (state.shown() && state.shown()->points.allFinite()) {
+    // The panels may stand off the design, but a point thrown far away must not shrink the view to nothing.
+    const Vector3d reach = 0.5 * (high - low).norm() * Vector3d::Ones();
+    low = low.cwiseMin(state.shown()->low.cwiseMax(low - reach));
+    high = high.cwiseMax(state.shown()->high.cwiseMin(high + reach));
+  }
+  impl_->camera.fit(low, high);
+  impl_->dirty = true;
+}
+
+void Viewport::reset_direction(const AppState& state) {
+  impl_->camera.reset_direction();
+  fit(state);
+}
+
+void Viewport::look_at(const Vector3d& scene_point, double radius) {
+  const glm::vec2 at = impl_->camera.project(scene_point);
+  const glm::vec2 centre(0.5f * static_cast<float>(impl_->camera.width()),
+                         0.5f * static_cast<float>(impl_->camera.height()));
+  impl_->camera.pan(centre - at, scene_point);
+  const double shown_radius = 0.5 * impl_->camera.height() * impl_->camera.pixel_size_at(scene_point);
+  if (radius > 0 && shown_radius > 0) impl_->camera.zoom(shown_radius / radius, scene_point);
+  impl_->dirty = true;
+}
+
+std::optional<ImVec2> Viewport::clickable_place_of_edge(const AppState& state, int edge) const {
+  const Impl& v = *impl_;
+  if (!v.mesh || v.mesh != state.mesh_view() || edge < 0 || edge >= static_cast<int>(v.mesh->edges.size())) {
+    return std::nullopt;
+  }
+  const auto [a, b] = v.mesh->edges[static_cast<std::size_t>(edge)];
+  const Vector3d middle = 0.5 * (v.mesh->points.row(a) + v.mesh->points.row(b)).transpose();
+  if (v.camera.depth(middle) <= 0) return std::nullopt;
+  const ImVec2 at = v.to_window(v.camera.project(middle));
+  const ImVec2 whole(std::round(at.x), std::round(at.y));
+  const float margin = 12;
+  if (whole.x < v.place.min.x + margin || whole.x > v.place.max.x - margin ||
+      whole.y < v.place.min.y + margin || whole.y > v.place.max.y - margin) {
+    return std::nullopt;
+  }
+  const auto hit = v.edge_under(whole, 1.0f);
+  return hit && *hit == edge ? std::optional(whole) : std::nullopt;
+}
+
+// --- The frame
+// -------------------------------------------------------------------------------------------------
+
+void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::string& unit) {
+  Impl& v = *impl_;
+  const float ratio = ImGui::GetIO().DisplayFramebufferScale.x;
+  v.place = place;
+  v.pixel_ratio = ratio > 0 ? ratio : 1.0f;
+  const int width = std::max(1, static_cast<int>(place.width() * v.pixel_ratio));
+  const int height = std::max(1, static_cast<int>(place.height() * v.pixel_ratio));
+  if (v.camera.width() != width || v.camera.height() != height) {
+    v.camera.set_viewport(width, height);
+    v.dirty = true;
+  }
+
+  ImGui::SetNextWindowPos(place.min);
+  ImGui::SetNextWindowSize(ImVec2(place.width(), place.height()));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(0, 0));
+  ImGui::Begin("##model", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoNav);
+  ImGui::PopStyleVar();
+  ImGui::SetCursorScreenPos(place.min);
+  ImGui::InvisibleButton("model", ImVec2(std::max(1.0f, place.width()), std::max(1.0f, place.height())),
+                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonMiddle |
+                             ImGuiButtonFlags_MouseButtonRight);
+  ui.record("model", place.min, place.max);
+  v.mouse(ui, state, ImGui::IsItemHovered());
+  v.upload_marks(state);
+
+  const Stopwatch watch;
+  v.picture(ui, state);
+  if (v.redrawn) state.timings.scene.add(watch.milliseconds());
+  ImGui::GetWindowDrawList()->AddImage(v.target.texture(), place.min, place.max, ImVec2(0, 1), ImVec2(1, 0));
+  v.overlays(ui, state, unit);
+  ImGui::End();
+}
+
+void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 at = io.MousePos;
+  const float scale_factor = ui.theme().scale();
+  moving = false;
+
+  if (ImGui::IsItemActivated()) {
+    pressed = true;
+    dragging = false;
+    press_at = last_at = at;
+    pans = io.KeyShift || io.MouseDown[1] || io.MouseDown[2];
+    pivot = pivot_under(at);
+    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !flipped_by_click) {
+      const Vector3d centre = pivot;
+      const glm::vec2 middle(0.5f * static_cast<float>(camera.width()),
+                             0.5f * static_cast<float>(camera.height()));
+      camera.pan(middle - to_picture(at), centre);
+      pressed = false;
+      dirty = true;
+    }
+  }
+  if (pressed && ImGui::IsItemActive()) {
+    const ImVec2 moved(at.x - press_at.x, at.y - press_at.y);
+    if (!dragging && std::hypot(moved.x, moved.y) > kClickSlop * scale_factor) {
+      dragging = true;
+      last_at = press_at;
+    }
+    if (dragging && (at.x != last_at.x || at.y != last_at.y)) {
+      const glm::vec2 step((at.x - last_at.x) * pixel_ratio, (at.y - last_at.y) * pixel_ratio);
+      if (pans) {
+        camera.pan(step, pivot);
+      } else {
+        camera.orbit(step, pivot);
+      }
+      last_at = at;
+      dirty = true;
+    }
+    moving = dragging;
+  }
+  if (pressed && ImGui::IsItemDeactivated()) {
+    pressed = false;
+    if (!dragging && !pans && !io.MouseDown[0]) click(ui, state, press_at);
+    dragging = false;
+    if (coarse_picture) dirty = true;
+  }
+  if (hovered_now && io.MouseWheel != 0) {
+    camera.zoom(std::pow(kZoomPerNotch, static_cast<double>(io.MouseWheel)), to_picture(at));
+    dirty = true;
+    hover_probe = {-1, -1};
+  }
+
+  // Hover: asked anew only when the mouse or the view has moved.
+  if (!hovered_now || pressed) {
+    if (!pressed || dragging) hovered.reset();
+    hover_probe = {-1, -1};
+  } else {
+    const glm::vec2 probe = to_picture(at);
+    if (probe != hover_probe || dirty) {
+      hover_probe = probe;
+      hovered = edge_under(at, scale_factor);
+    }
+  }
+  if (hovered) {
+    const Result<void> allowed = state.document().may_flip(*hovered);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(7)));
+    ImGui::BeginTooltip();
+    ui.text("Edge " + format_count(*hovered), allowed ? ui.colours().accent : ui.colours().ink_soft);
+    ImGui::SameLine();
+    ui.text(allowed ? "click to flip" : allowed.error().what,
+            allowed ? ui.colours().ink : ui.colours().ink_soft);
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+    if (allowed) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
+}
+
+void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
+  if (!std::exchange(flipped_by_click, false) || !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+    const auto edge = edge_under(at, ui.theme().scale());
+    if (edge && state.document().may_flip(*edge)) {
+      state.flip_edge(*edge);
+      flipped_by_click = true;
+      hovered.reset();
+      return;
+    }
+  }
+  state.selected_point.reset();
+  state.selected_panel.reset();
+  if (!shown) return;
+  const render::PolygonLayer& layer = panel_layer;
+  for (const IllDetermined& point : shown->ill_determined) {
+    const glm::vec2 pixel = camera.project(shown->points.row(point.point).transpose());
+    if (glm::distance(pixel, to_picture(at)) <= kEdgeReach * ui.theme().scale() * pixel_ratio) {
+      state.selected_point = point.point;
+      return;
+    }
+  }
+  if (const auto hit = render::pick_polygon(layer, camera.ray(to_picture(at))))
+    state.selected_panel = hit->polygon;
+}
+
+void Viewport::Impl::picture(Ui& ui, AppState& state) {
+  const bool coarse = moving && fine_ms > kSlowPicture;
+  const int divisor = coarse ? 2 : 1;
+  const int width = std::max(1, camera.width() / divisor), height = std::max(1, camera.height() / divisor);
+  if (target.resize(width, height)) dirty = true;
+  coarse_picture = coarse;
+  redrawn = false;
+  if (!dirty) return;
+  dirty = false;
+  redrawn = true;
+
+  const Stopwatch watch;
+  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+  render::Viewport view;
+  view.width = width;
+  view.height = height;
+  view.pixel_scale = ui.theme().scale() * pixel_ratio / static_cast<float>(divisor);
+  render::Theme look;
+  look.dark = dark;
+  renderer.draw(camera, view, look, state.view_options.ghost || !shown);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (!coarse && moving) glFinish();  // only while moving: to know whether coarse is worth it
+  if (!coarse) fine_ms = watch.milliseconds();
+}
+
+// --- Overlays
+// --------------------------------------------------------------------------------------------------
+
+void Viewport::Impl::overlays(Ui& ui, const AppState& state, const std::string& unit) const {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw_badge(ui, state, unit, draw);
+  if (scale && shown) draw_legend(ui, draw);
+  draw_axes(ui, draw);
+}
+
+void Viewport::Impl::draw_badge(Ui& ui, const AppState& state, const std::string& unit,
+                                ImDrawList& draw) const {
+  const Palette& p = ui.colours();
+  std::string text;
+  ImU32 dot = p.ink_faint;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "  ·  ") + part; };
+  if (state.loading()) {
+    add("Opening " + state.loading_name());
+    dot = p.accent;
+  } else if (state.document().empty()) {
+    return;
+  } else if (state.solving()) {
+    dot = p.accent;
+    add("Solving");
+    if (!state.history().empty()) {
+      add("step " + format_count(state.history().back().number));
+      add(format_duration(state.history().back().seconds));
+    }
+  } else if (const SolveReport* report = state.report()) {
+    const bool good = report->status == SolveStatus::Converged;
+    dot = good ? p.good : p.warning;
+    std::string status = planewright::name(report->status);
+    if (!status.empty()) status[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(status[0])));
+    add(status);
+  }
+  if (const SolveReport* report = state.report(); report != nullptr && !state.solving()) {
+    std::string solver = report->solver;
+    if (!solver.empty()) solver[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(solver[0])));
+    if (!solver.empty()) add(solver);
+  }
+  if (shown) {
+    const double off = shown->planarity.max;
+    add((off <= state.planarity_tolerance() ? "planar to " : "planarity ") + format_with_unit(off, unit));
+  }
+  if (const double ms = state.milliseconds_per_step(); ms > 0) add(format_duration(ms / 1000) + "/step");
+  if (text.empty()) return;
+
+  ImFont* font = ui.theme().small();
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+  const float height = ui.px(26), left = ui.px(22);
+  const ImVec2 min(place.min.x + ui.px(12), place.min.y + ui.px(12));
+  const ImVec2 max(min.x + left + size.x + ui.px(12), min.y + height);
+  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(13));
+  draw.AddRect(min, max, p.line, ui.px(13));
+  draw.AddCircleFilled(ImVec2(min.x + ui.px(13), 0.5f * (min.y + max.y)), ui.px(4), dot, 16);
+  draw_text_aligned(draw, font, ImVec2(min.x + left, min.y), max, 0.0f, p.ink, text);
+}
+
+void Viewport::Impl::draw_legend(Ui& ui, ImDrawList& draw) const {
+  const Palette& p = ui.colours();
+  ImFont* font = ui.theme().small();
+  const float width = ui.px(260), bar = ui.px(10), pad = ui.px(12);
+  const float height = 2 * font->FontSize + bar + ui.px(8) + 2 * ui.px(8);
+  const ImVec2 min(place.min.x + ui.px(12), place.max.y - ui.px(12) - height);
+  const ImVec2 max(min.x + width + 2 * pad, min.y + height);
+  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(5));
+  draw.AddRect(min, max, p.line, ui.px(5));
+
+  const float x0 = min.x + pad, x1 = max.x - pad;
+  float y = min.y + ui.px(8);
+  draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 0.0f, p.ink, scale->quantity);
+  const std::string what =
+      colours == ColourMap::Planarity ? "corner to plane of its panel" : "point to wanted place";
+  draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 1.0f, p.ink_faint, what);
+  y += font->FontSize + ui.px(4);
+  constexpr int kBands = 130;
+  for (int i = 0; i < kBands; ++i) {
+    const float a = x0 + (x1 - x0) * static_cast<float>(i) / kBands;
+    const float b = x0 + (x1 - x0) * static_cast<float>(i + 1) / kBands;
+    const double value = scale->low + (scale->high - scale->low) * (i + 0.5) / kBands;
+    draw.AddRectFilled(ImVec2(a, y), ImVec2(b, y + bar), to_colour(render::colour_of(*scale, value)));
+  }
+  y += bar + ui.px(4);
+  const ImVec2 low(x0, y), high(x1, y + font->FontSize);
+  draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, format_number(scale->low));
+  draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, format_with_unit(scale->high, scale->unit));
+  const double middle = scale->tolerance ? *scale->tolerance : 0.5 * (scale->low + scale->high);
+  const float t = static_cast<float>((middle - scale->low) / (scale->high - scale->low));
+  const float x = x0 + t * (x1 - x0);
+  const std::string label = (scale->tolerance ? "≤ " : "") + format_number(middle);
+  const float half = 0.5f * font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, label.c_str()).x;
+  if (x - half > x0 + ui.px(14) && x + half < x1 - ui.px(56)) {
+    draw.AddLine(ImVec2(x, y - bar - ui.px(6)), ImVec2(x, y - ui.px(2)), p.ink_soft);
+    draw_text_aligned(draw, font, ImVec2(x - half, low.y), ImVec2(x + half, high.y), 0.5f, p.ink_soft, label);
+  }
+}
+
+void Viewport::Impl::draw_axes(Ui& ui, ImDrawList& draw) const {
+  const Palette& p = ui.colours();
+  const ImVec2 centre(place.max.x - ui.px(44), place.max.y - ui.px(44));
+  const float length = ui.px(24);
+  const char* names[] = {"x", "y", "z"};
+  struct Axis {
+    ImVec2 tip;
+    double depth;
+    int index;
+  };
+  Axis axes[3];
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d axis = Vector3d::Unit(i);
+    axes[i] = {ImVec2(centre.x + length * static_cast<float>(axis.dot(camera.right())),
+                      centre.y - length * static_cast<float>(axis.dot(camera.up()))),
+               axis.dot(camera.forward()), i};
+  }
+  std::sort(std::begin(axes), std::end(axes), [](const Axis& a, const Axis& b) { return a.depth > b.depth; });
+  for (const Axis& axis : axes) {
+    const ImU32 ink = axis.depth > 0.25 ? p.ink_faint : p.ink_soft;
+    draw.AddLine(centre, axis.tip, ink, ui.px(1.5f));
+    const ImVec2 at(centre.x + 1.42f * (axis.tip.x - centre.x), centre.y + 1.42f * (axis.tip.y - centre.y));
+    draw_text_aligned(draw, ui.theme().small(), ImVec2(at.x - 6, at.y - 8), ImVec2(at.x + 6, at.y + 8), 0.5f,
+                      ink, names[axis.index]);
+  }
+}
+
+}  // namespace planewright::ui

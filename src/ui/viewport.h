@@ -1,0 +1,53 @@
+// Viewport: the model in the middle of the window: panels, ghost and marks, the camera that the mouse moves,
+// and what lies over them (badge, legend, axes).
+//
+// The model is drawn into a framebuffer of its own, only when something in it has changed; else the last
+// picture is shown again. Where drawing is slow (software renderers), the picture is coarser while the camera
+// moves.
+//
+// Threads: the window's, with its OpenGL context current. Units: pixels of the window for the mouse;
+// framebuffer pixels inside the picture.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ui/app_state.h"
+#include "ui/layout.h"
+#include "ui/render/camera.h"
+#include "ui/render/renderer.h"
+#include "ui/widgets.h"
+
+namespace planewright::ui {
+
+class Viewport {
+ public:
+  static Result<Viewport> create();
+  Viewport(Viewport&&) noexcept;
+  Viewport& operator=(Viewport&&) noexcept;
+  ~Viewport();
+
+  // Hands what is new to OpenGL. Cheap when nothing is.
+  void upload(AppState& state, bool dark, const std::string& unit);
+  // The window's part of the frame: mouse, picture, overlays.
+  void draw(Ui& ui, AppState& state, const Rect& place, const std::string& unit);
+
+  void fit(const AppState& state);
+  void reset_direction(const AppState& state);
+  void look_at(const Vector3d& scene_point, double radius);
+
+  std::optional<int> hovered_edge() const;
+  // Where the middle of a mesh edge is on the window, if it is the edge that a click there would take.
+  std::optional<ImVec2> clickable_place_of_edge(const AppState& state, int edge) const;
+  // Likewise the middle of the picture's nearest panel; for tests that orbit.
+  const render::Camera& camera() const;
+  // A picture was drawn since the last call; for the timings and for tests.
+  bool take_redrawn();
+
+ private:
+  struct Impl;
+  explicit Viewport(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace planewright::ui

@@ -1,0 +1,140 @@
+// Ui: a thin layer over Dear ImGui. Every control of the window goes through it, so that all look alike, and
+// so that a test can find each by a path ("Design/weight fairing") with its rectangle of the present frame.
+//
+// Threads: the window's. Units: pixels of the window, (0, 0) top left.
+#pragma once
+
+#include <imgui.h>
+
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "ui/theme.h"
+
+namespace planewright::ui {
+
+// Where a control stood when it was last drawn.
+struct UiRecord {
+  ImVec2 min, max;
+  float travel_left = 0, travel_right = 0, knob = 0;  // x of a slider's knob and its range; 0 for others
+  bool clickable = false;                             // its middle is inside the visible part of its window
+  bool enabled = true;
+  int frame = -1;
+  ImVec2 middle() const { return {0.5f * (min.x + max.x), 0.5f * (min.y + max.y)}; }
+};
+
+struct Edit {
+  bool changed = false;   // the value is another one
+  bool finished = false;  // the gesture (drag, wheel, typing) is over
+};
+
+struct ButtonLook {
+  Icon icon{};
+  bool has_icon = false;
+  bool primary = false;  // filled with the accent
+  bool active = false;   // a toggle that is on
+  bool enabled = true;
+  bool quiet = false;  // no frame until hovered
+  float width = 0;     // pixels; 0: as wide as its text; < 0: as wide as there is room
+  std::string tooltip;
+};
+
+class Ui {
+ public:
+  explicit Ui(const Theme& theme) : theme_(theme) {}
+
+  const Theme& theme() const { return theme_; }
+  const Palette& colours() const { return theme_.colours(); }
+  float px(float at_scale_one) const { return theme_.px(at_scale_one); }
+
+  // --- Frames and records.
+  void begin_frame(int frame);
+  const std::map<std::string, UiRecord, std::less<>>& records() const { return records_; }
+  // The record of the present frame, or null.
+  const UiRecord* find(std::string_view path) const;
+  // Scrolls the control of that path into view when it is drawn next.
+  void want_visible(std::string path) { wanted_ = std::move(path); }
+  // A gesture waits for time to pass (the wheel over a slider): the window must not sleep for long.
+  bool waiting() const { return wheel_id_ != 0; }
+
+  // The part of the path before the name: one per panel.
+  class Scope {
+   public:
+    Scope(Ui& ui, std::string_view name) : ui_(ui), previous_(ui.prefix_) {
+      ui.prefix_ = std::string(name) + "/";
+    }
+    ~Scope() { ui_.prefix_ = previous_; }
+    Scope(const Scope&) = delete;
+    Scope& operator=(const Scope&) = delete;
+
+   private:
+    Ui& ui_;
+    std::string previous_;
+  };
+  void record(std::string_view name, ImVec2 min, ImVec2 max, bool enabled = true, float travel_left = 0,
+              float travel_right = 0, float knob = 0);
+  void record_item(std::string_view name, bool enabled = true);
+
+  // --- Controls. `name` is the record's name and the identity; `label` is what is read.
+  bool button(std::string_view name, std::string_view label, const ButtonLook& look = {});
+  bool segmented(std::string_view name, std::span<const std::string> labels, int& current,
+                 std::span<const std::string> tooltips = {});
+  bool checkbox(std::string_view name, std::string_view label, bool& value, std::string_view tooltip = {});
+  bool choice(std::string_view name, std::string_view label, std::span<const std::string> items, int& current,
+              std::string_view tooltip = {});
+  // A length with its unit: drag, wheel, or ctrl-click and type; double click resets to 0.
+  Edit length(std::string_view name, std::string_view label, double& value, double per_pixel,
+              std::string_view unit, std::string_view tooltip = {});
+  // See weight_scale.h: drag, wheel, double click resets, ctrl-click (or a click on the number) types.
+  // share: 0..1 of the objective, < 0: not known.
+  Edit weight(std::string_view name, std::string_view label, double& value, double reset_value, double share,
+              std::string_view tooltip = {});
+  // A heading that opens and closes what follows.
+  bool section(std::string_view name, std::string_view title, bool open_at_first = true);
+  bool selectable(std::string_view name, std::string_view label, bool selected);
+
+  // --- Texts.
+  void text(std::string_view text, ImU32 colour = 0);
+  void small_text(std::string_view text, ImU32 colour = 0);
+  void wrapped(std::string_view text, ImU32 colour = 0, bool small = false);
+  void heading(std::string_view text);
+  // Label left, value right-aligned at the edge of the panel.
+  void value_row(std::string_view label, std::string_view value, ImU32 value_colour = 0,
+                 std::string_view tooltip = {});
+  void separator();
+  void gap(float at_scale_one = 6);
+  void tooltip_if_hovered(std::string_view text) const;
+
+  float label_width() const { return px(92); }
+
+ private:
+  void label_cell(std::string_view label, std::string_view tooltip);
+  bool typing(ImGuiID id) const { return typing_id_ == id; }
+  void begin_typing(ImGuiID id, double value);
+  // Draws the text field in the given rectangle; true when the value is final.
+  bool typing_field(const char* id_text, ImVec2 position, float width, double& value, bool& changed);
+  void finish_wheel(ImGuiID id, bool hovered, Edit& edit);
+
+  const Theme& theme_;
+  std::map<std::string, UiRecord, std::less<>> records_;
+  std::string prefix_;
+  std::string wanted_;
+  int frame_ = 0;
+
+  ImGuiID typing_id_ = 0;
+  bool typing_begins_ = false;
+  char typed_[64] = {};
+  ImGuiID wheel_id_ = 0;
+  double wheel_time_ = 0;
+  double drag_carry_ = 0;
+};
+
+// Text drawn into a rectangle: 0 left, 0.5 centred, 1 right.
+void draw_text_aligned(ImDrawList& draw, ImFont* font, ImVec2 min, ImVec2 max, float align, ImU32 colour,
+                       std::string_view text);
+// The text shortened with … to fit.
+std::string elided(ImFont* font, std::string_view text, float width);
+
+}  // namespace planewright::ui
