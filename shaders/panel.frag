@@ -1,6 +1,6 @@
 #version 330 core
 uniform vec3 card;
-uniform vec3 edge, edge_on_dark;
+uniform vec3 edge;
 uniform float line_width;  // pixels
 
 // The colour map; see colour_map.h for what the numbers mean.
@@ -37,10 +37,10 @@ void main() {
   vec3 fill = card * light;
   vec3 line_colour = edge;
   if (coloured != 0 && quantity < kNoValue) {
-    // Less light and shade than on card: the colour has to be read.
+    // Less light and shade than on card, and edges in the colour's own dark shade: the colour has to be read.
     fill = texture(map, vec2((map_position(quantity) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
-    if (dot(fill, vec3(0.30, 0.59, 0.11)) < 0.30) line_colour = edge_on_dark;
     fill *= mix(vec3(1.0), light, 0.45);
+    line_colour = 0.40 * fill;
   }
   colour = vec4(mix(fill, line_colour, line * presence), 1.0);
 }

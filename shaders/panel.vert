@@ -27,8 +27,8 @@ void main() {
   // A key light from above over a soft sky, in linear light.
   float key = max(dot(n, key_light), 0.0);
   float sky = 0.5 + 0.5 * n.z;
-  float linear = 0.18 + 0.24 * sky + 0.66 * key;
-  vec3 tint = mix(vec3(0.955, 0.975, 1.0), vec3(1.0), smoothstep(0.2, 0.8, linear));  // shade is a little cooler
+  float linear = 0.10 + 0.24 * sky + 0.62 * key;
+  vec3 tint = mix(vec3(0.985, 0.985, 1.0), vec3(1.0), smoothstep(0.2, 0.8, linear));  // shade is a hint cooler
   light = pow(linear, 1.0 / 2.2) * tint * (back ? back_tint : vec3(1.0));
 
   edges = edge_mask;

@@ -24,6 +24,7 @@ void Camera::set_viewport(int width, int height) {
 }
 
 void Camera::fit(const Vector3d& low, const Vector3d& high) {
+  if (!low.allFinite() || !high.allFinite() || (high.array() < low.array()).any()) return;
   Points corners(8, 3);
   for (int i = 0; i < 8; ++i) {
     corners.row(i) << ((i & 1) ? high : low).x(), ((i & 2) ? high : low).y(), ((i & 4) ? high : low).z();
@@ -41,32 +42,46 @@ void Camera::fit(const Points& points) {
   if (low.allFinite() && high.allFinite()) fit(points, low, high);
 }
 
-// The eye's place with respect to the centre, in the camera's own axes (x right, y up, z towards the eye),
-// follows from the four planes of the view pyramid alone: each must have every point on its inner side.
+// How far the eye must be follows from the four planes of the view pyramid alone: each must have every point
+// on its inner side. Where it stands beside the centre then follows from the picture, in which the model
+// stands in the middle. Both in the camera's own axes (x right, y up, z towards the eye) with the box's
+// centre as origin.
 void Camera::fit(const Points& points, const Vector3d& low, const Vector3d& high) {
   scene_centre_ = 0.5 * (low + high);
   const double radius = 0.5 * (high - low).norm();
   scene_radius_ = radius > 0.0 ? radius : 1.0;
 
-  const double tan_y = kAir * half_height(), tan_x = tan_y * width_ / height_;
-  const double none = -std::numeric_limits<double>::infinity();
-  double beyond_right = none, beyond_left = none, beyond_top = none, beyond_bottom = none;
-  const Vector3d r = right(), u = up(), back = -forward();
+  Eigen::Matrix3d axes;  // rows
+  axes << right_.transpose(), up_.transpose(), -forward_.transpose();
+  Points seen(points.rows(), 3);
+  Eigen::Index count = 0;
   for (Eigen::Index i = 0; i < points.rows(); ++i) {
-    if (!points.row(i).allFinite()) continue;
-    const Vector3d p = points.row(i).transpose() - scene_centre_;
-    const double x = p.dot(r), y = p.dot(u), z = p.dot(back);
-    beyond_right = std::max(beyond_right, x + tan_x * z);
-    beyond_left = std::max(beyond_left, -x + tan_x * z);
-    beyond_top = std::max(beyond_top, y + tan_y * z);
-    beyond_bottom = std::max(beyond_bottom, -y + tan_y * z);
+    if (points.row(i).allFinite())
+      seen.row(count++) = (axes * (points.row(i).transpose() - scene_centre_)).transpose();
   }
-  const double x = 0.5 * (beyond_right - beyond_left), y = 0.5 * (beyond_top - beyond_bottom);
-  const double z =
-      std::max((beyond_right + beyond_left) / (2.0 * tan_x), (beyond_top + beyond_bottom) / (2.0 * tan_y));
-  // A single point, or a model seen exactly edge-on from inside, still gets a sensible distance.
-  distance_ = std::max(z, 0.05 * scene_radius_);
-  target_ = scene_centre_ + x * r + y * u;
+  seen.conservativeResize(count, 3);
+
+  const double tan_y = kAir * half_height_, tan_x = tan_y * width_ / height_;
+  const auto nearest_eye = [&](int axis, double tangent) {
+    return ((seen.col(axis) + tangent * seen.col(2)).maxCoeff() +
+            (-seen.col(axis) + tangent * seen.col(2)).maxCoeff()) /
+           (2.0 * tangent);
+  };
+  // A single point, or points one behind the other, still get a sensible distance.
+  distance_ =
+      std::max({nearest_eye(0, tan_x), nearest_eye(1, tan_y), seen.col(2).maxCoeff() + 0.05 * scene_radius_});
+  const Eigen::ArrayXd depths = distance_ - seen.col(2).array();
+  Vector3d eye(0.0, 0.0, distance_);
+  for (int axis : {0, 1}) {
+    constexpr int kRounds = 12;  // Newton's method on a piecewise simple function: two or three do
+    for (int round = 0; round < kRounds; ++round) {
+      Eigen::Index last = 0, first = 0;
+      const Eigen::ArrayXd in_picture = (seen.col(axis).array() - eye[axis]) / depths;
+      const double sum = in_picture.maxCoeff(&last) + in_picture.minCoeff(&first);
+      eye[axis] += sum / (1.0 / depths[last] + 1.0 / depths[first]);
+    }
+  }
+  target_ = scene_centre_ + eye.x() * right_ + eye.y() * up_;
 }
 
 void Camera::reset_direction() {
@@ -76,20 +91,24 @@ void Camera::reset_direction() {
 void Camera::set_direction(double azimuth, double elevation) {
   azimuth_ = std::remainder(azimuth, kFullTurn);
   elevation_ = std::clamp(elevation, -kElevationLimit, kElevationLimit);
+  const double ca = std::cos(azimuth_), sa = std::sin(azimuth_), ce = std::cos(elevation_),
+               se = std::sin(elevation_);
+  forward_ = {-ce * ca, -ce * sa, -se};
+  right_ = {-sa, ca, 0.0};
+  up_ = {-se * ca, -se * sa, ce};
 }
 
 void Camera::orbit(glm::vec2 pixels, const Vector3d& pivot) {
   const Vector3d from_eye = pivot - eye();
-  const double x = from_eye.dot(right()), y = from_eye.dot(up()), z = from_eye.dot(forward());
+  const double x = from_eye.dot(right_), y = from_eye.dot(up_), z = from_eye.dot(forward_);
   const double step = kOrbitPerHeight / height_;
-  azimuth_ = std::remainder(azimuth_ - step * pixels.x, kFullTurn);
-  elevation_ = std::clamp(elevation_ + step * pixels.y, -kElevationLimit, kElevationLimit);
-  set_eye(pivot - x * right() - y * up() - z * forward());
+  set_direction(azimuth_ - step * pixels.x, elevation_ + step * pixels.y);
+  set_eye(pivot - x * right_ - y * up_ - z * forward_);
 }
 
 void Camera::pan(glm::vec2 pixels, const Vector3d& anchor) {
   const double size = pixel_size_at(anchor);
-  target_ += size * (-static_cast<double>(pixels.x) * right() + static_cast<double>(pixels.y) * up());
+  target_ += size * (-static_cast<double>(pixels.x) * right_ + static_cast<double>(pixels.y) * up_);
 }
 
 // Moving the eye along the ray of the pixel keeps everything on that ray where it is on the screen.
@@ -99,7 +118,7 @@ void Camera::zoom(double factor, glm::vec2 pixel) {
   const Vector3d from = eye();
   const double before = distance_;
   distance_ = std::clamp(before / factor, kNearestEye * scene_radius_, kFarthestEye * scene_radius_);
-  set_eye(from + (before - distance_) / along.direction.dot(forward()) * along.direction);
+  set_eye(from + (before - distance_) / along.direction.dot(forward_) * along.direction);
 }
 
 void Camera::zoom(double factor, const Vector3d& anchor) {
@@ -113,7 +132,7 @@ void Camera::zoom(double factor, const Vector3d& anchor) {
 }
 
 glm::mat4 Camera::view() const {
-  const Vector3d r = right(), u = up(), back = -forward(), e = eye();
+  const Vector3d r = right_, u = up_, back = -forward_, e = eye();
   glm::mat4 m(1.0f);
   for (int k = 0; k < 3; ++k) {
     m[k][0] = static_cast<float>(r[k]);
@@ -132,7 +151,7 @@ glm::mat4 Camera::projection() const {
   // Inside the scene the near plane follows the eye's distance to what is looked at, so that close views do
   // not cut it; far away from it depth precision goes first, where nobody looks.
   const double near = std::max(centre - radius, std::min(0.1 * distance_, 1e-3 * far));
-  const double t = half_height();
+  const double t = half_height_;
   glm::mat4 m(0.0f);
   m[0][0] = static_cast<float>(height_ / (t * width_));
   m[1][1] = static_cast<float>(1.0 / t);
@@ -143,49 +162,27 @@ glm::mat4 Camera::projection() const {
 }
 
 Ray Camera::ray(glm::vec2 pixel) const {
-  const double t = half_height();
+  const double t = half_height_;
   const double x = (2.0 * pixel.x / width_ - 1.0) * t * width_ / height_,
                y = (1.0 - 2.0 * pixel.y / height_) * t;
-  return {eye(), (forward() + x * right() + y * up()).normalized()};
+  return {eye(), (forward_ + x * right_ + y * up_).normalized()};
 }
 
 glm::vec2 Camera::project(const Vector3d& point) const {
   const Vector3d from_eye = point - eye();
-  const double z = from_eye.dot(forward());
+  const double z = from_eye.dot(forward_);
   if (!(z > 0.0)) return {kFarOutside, kFarOutside};
-  const double scale = 0.5 * height_ / (half_height() * z);
-  return {static_cast<float>(0.5 * width_ + scale * from_eye.dot(right())),
-          static_cast<float>(0.5 * height_ - scale * from_eye.dot(up()))};
+  const double scale = 0.5 * height_ / (half_height_ * z);
+  return {static_cast<float>(0.5 * width_ + scale * from_eye.dot(right_)),
+          static_cast<float>(0.5 * height_ - scale * from_eye.dot(up_))};
 }
 
 double Camera::depth(const Vector3d& point) const {
-  return (point - eye()).dot(forward());
+  return (point - eye()).dot(forward_);
 }
 
 double Camera::pixel_size_at(const Vector3d& point) const {
-  return 2.0 * half_height() * std::abs(depth(point)) / height_;
-}
-
-Vector3d Camera::eye() const {
-  return target_ - distance_ * forward();
-}
-
-Vector3d Camera::forward() const {
-  return {-std::cos(elevation_) * std::cos(azimuth_), -std::cos(elevation_) * std::sin(azimuth_),
-          -std::sin(elevation_)};
-}
-
-Vector3d Camera::right() const {
-  return {-std::sin(azimuth_), std::cos(azimuth_), 0.0};
-}
-
-Vector3d Camera::up() const {
-  return {-std::sin(elevation_) * std::cos(azimuth_), -std::sin(elevation_) * std::sin(azimuth_),
-          std::cos(elevation_)};
-}
-
-double Camera::half_height() const {
-  return std::tan(0.5 * field_of_view_);
+  return 2.0 * half_height_ * std::abs(depth(point)) / height_;
 }
 
 }  // namespace planewright::render

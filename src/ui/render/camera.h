@@ -17,6 +17,7 @@ struct Ray {
 
 class Camera {
  public:
+  Camera() { reset_direction(); }
   void set_viewport(int width, int height);  // pixels, > 0
   // Looks at the whole box from the present direction, with a little air round it. Nothing changes when the
   // box is empty or not finite.
@@ -45,23 +46,23 @@ class Camera {
   double depth(const Vector3d& point) const;       // distance in front of the eye along the view, < 0 behind
   double pixel_size_at(const Vector3d& point) const;  // scene units that one pixel covers there
 
-  Vector3d eye() const;
+  Vector3d eye() const { return target_ - distance_ * forward_; }
   Vector3d target() const { return target_; }
-  Vector3d forward() const;  // unit, into the screen
-  Vector3d right() const;    // unit, horizontal
-  Vector3d up() const;       // unit, towards the top of the screen
+  const Vector3d& forward() const { return forward_; }  // unit, into the screen
+  const Vector3d& right() const { return right_; }      // unit, horizontal
+  const Vector3d& up() const { return up_; }            // unit, towards the top of the screen
   int width() const { return width_; }
   int height() const { return height_; }
 
  private:
   void fit(const Points& points, const Vector3d& low, const Vector3d& high);
-  void set_eye(const Vector3d& eye) { target_ = eye + distance_ * forward(); }
-  double half_height() const;  // of the image plane at unit distance
+  void set_eye(const Vector3d& eye) { target_ = eye + distance_ * forward_; }
 
   Vector3d target_ = Vector3d::Zero();
   double distance_ = 10.0;
-  double azimuth_ = -2.15, elevation_ = 0.55;  // radians
-  double field_of_view_ = 0.6;                 // vertical, radians
+  double azimuth_ = 0.0, elevation_ = 0.0;  // of the eye seen from the target, radians
+  Vector3d forward_, right_, up_;           // what the two angles mean
+  double half_height_ = 0.30934;            // of the picture at distance 1: 0.6 radians from bottom to top
   double scene_radius_ = 1.0;
   Vector3d scene_centre_ = Vector3d::Zero();
   int width_ = 1, height_ = 1;

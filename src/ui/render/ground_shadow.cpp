@@ -51,6 +51,7 @@ void blur(std::vector<float>& cells, int stride, int line_stride) {
 std::optional<GroundShadow> make_ground_shadow(const PolygonLayer& layer) {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
   for (int i : layer.polygons.indices()) {
+    if (!layer.points.row(i).allFinite()) continue;
     low = low.cwiseMin(layer.points.row(i).transpose());
     high = high.cwiseMax(layer.points.row(i).transpose());
   }
@@ -73,6 +74,7 @@ std::optional<GroundShadow> make_ground_shadow(const PolygonLayer& layer) {
   for (int p = 0; p < layer.polygons.size(); ++p) {
     if (layer.polygons.valence(p) < 3) continue;
     for (const auto& t : triangulate(layer.points, layer.polygons[p])) {
+      if (!std::all_of(t.begin(), t.end(), [&](int i) { return layer.points.row(i).allFinite(); })) continue;
       cover(cells, in_cells(t[0]), in_cells(t[1]), in_cells(t[2]));
     }
   }

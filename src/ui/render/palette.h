@@ -14,7 +14,7 @@ struct Palette {
   float shadow_strength;
   glm::vec3 card;       // a panel in full light
   glm::vec3 back_tint;  // multiplies a panel's back side
-  glm::vec3 edge, edge_on_dark;
+  glm::vec3 edge;
   glm::vec3 ghost;
   glm::vec3 warning, error, selected, outline;
   glm::vec3 text, faint_text;

@@ -1,5 +1,6 @@
 #include "ui/render/picking.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

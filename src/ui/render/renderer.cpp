@@ -139,6 +139,12 @@ GlTexture make_texture(GLint format, GLenum pixels, int width, int height, const
   return texture;
 }
 
+// Faces are drawn a little farther away than they are, so that lines in them lie on top.
+void begin_lying_back() {
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.0f, 1.0f);
+}
+
 double mean_length(const std::vector<Vector3d>& ends) {
   double sum = 0.0;
   for (size_t i = 0; i + 1 < ends.size(); i += 2) sum += (ends[i + 1] - ends[i]).norm();
@@ -223,6 +229,7 @@ void Renderer::Impl::draw_ghost_faces(const Frame& frame, const Palette& palette
     glEnable(GL_DEPTH_TEST);
     glDepthMask(GL_TRUE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    begin_lying_back();
     ghost.draw();
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   }
@@ -231,6 +238,7 @@ void Renderer::Impl::draw_ghost_faces(const Frame& frame, const Palette& palette
   glEnable(GL_BLEND);
   ghost.draw();
   glDisable(GL_BLEND);
+  glDisable(GL_POLYGON_OFFSET_FILL);
   glDepthMask(GL_TRUE);
 }
 
@@ -245,7 +253,6 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
   p.set("pixels_per_unit", frame.pixels_per_unit / frame.pixel_scale);
   p.set("card", palette.card);
   p.set("edge", palette.edge);
-  p.set("edge_on_dark", palette.edge_on_dark);
   p.set("line_width", kPanelLine * frame.pixel_scale);
   p.set("coloured", colours ? 1 : 0);
   p.set("map", 0);
@@ -259,9 +266,7 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
     p.set("above_start", scale.above_start);
   }
   glBindTexture(GL_TEXTURE_2D, map.get());
-  // A little back, so that lines in the surface lie on it.
-  glEnable(GL_POLYGON_OFFSET_FILL);
-  glPolygonOffset(1.0f, 1.0f);
+  begin_lying_back();
   panels.draw();
   glDisable(GL_POLYGON_OFFSET_FILL);
   glBindTexture(GL_TEXTURE_2D, 0);
@@ -292,10 +297,10 @@ void Renderer::Impl::draw_ghost_lines(const Frame& frame, const Palette& palette
   p.set("fade_below", 24.0f * frame.pixel_scale);
   p.set("lift_pixels", 0.5f * frame.pixel_scale);
   const bool alone = panels.empty();
-  p.set("tint", glm::vec4(palette.ghost, alone ? 0.75f : 0.60f));
+  p.set("tint", glm::vec4(palette.ghost, alone ? 0.75f : 0.40f));
   ghost_lines.draw();
   p.set("lift", 0.5f * ghost_edge);
-  p.set("tint", glm::vec4(palette.ghost, alone ? 0.10f : 0.22f));
+  p.set("tint", glm::vec4(palette.ghost, alone ? 0.10f : 0.14f));
   ghost_lines.draw();
 }
 
