@@ -2,6 +2,7 @@
 uniform vec3 card;
 uniform vec3 edge;
 uniform float line_width;  // pixels
+uniform int fine;
 
 // The colour map; see colour_map.h for what the numbers mean.
 uniform int coloured;
@@ -25,13 +26,25 @@ float map_position(float v) {
 void main() {
   // Distance to each edge of the triangle in pixels, from how fast the barycentric coordinate changes.
   vec3 dx = dFdx(corner), dy = dFdy(corner);
-  vec3 away = corner / max(sqrt(dx * dx + dy * dy), vec3(1e-9));
+  vec3 steepness = max(sqrt(dx * dx + dy * dy), vec3(1e-9));
+  vec3 away = corner / steepness;
   float line = 0.0;
   for (int k = 0; k < 3; ++k) {
     if ((edges >> k & 1u) == 0u) continue;
     // Each of two neighbours draws half of the line; at a border one draws it all.
     float reach = (edges >> (k + 3) & 1u) == 0u ? 0.5 * line_width : line_width;
     line = max(line, 1.0 - smoothstep(reach - 0.5, reach + 0.5, away[k]));
+  }
+  // A dot in each corner, all of which are corners of the panel: the triangles that only touch a line's end would
+  // leave a notch there.
+  float reach = 0.5 * line_width;
+  for (int k = 0; k < (fine != 0 ? 3 : 0); ++k) {
+    if ((1.0 - corner[k]) / steepness[k] > reach + 0.5) continue;
+    int i = (k + 1) % 3, j = (k + 2) % 3;
+    float area = dx[i] * dy[j] - dx[j] * dy[i];
+    if (abs(area) < 1e-9) continue;
+    vec2 to_corner = vec2(corner[i] * dy[j] - corner[j] * dy[i], corner[j] * dx[i] - corner[i] * dx[j]) / area;
+    line = max(line, 1.0 - smoothstep(reach - 0.5, reach + 0.5, length(to_corner)));
   }
 
   vec3 fill = card * light;

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "core/mesh/triangulate.h"
-
 namespace planewright::render {
 namespace {
 
@@ -48,15 +46,17 @@ void blur(std::vector<float>& cells, int stride, int line_stride) {
 
 }  // namespace
 
-std::optional<GroundShadow> make_ground_shadow(const PolygonLayer& layer) {
+std::optional<GroundShadow> make_ground_shadow(const Points& points, std::span<const int> corners) {
   Vector3d low = Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (int i : layer.polygons.indices()) {
-    if (!layer.points.row(i).allFinite()) continue;
-    low = low.cwiseMin(layer.points.row(i).transpose());
-    high = high.cwiseMax(layer.points.row(i).transpose());
+  for (int i : corners) {
+    if (!points.row(i).allFinite()) continue;
+    low = low.cwiseMin(points.row(i).transpose());
+    high = high.cwiseMax(points.row(i).transpose());
   }
   const double side = std::max(high.x() - low.x(), high.y() - low.y());
-  if (!low.allFinite() || !high.allFinite() || !(side > 0.0)) return std::nullopt;
+  if (!low.allFinite() || !high.allFinite() || !(side > 0.0) || !std::isfinite(side)) {
+    return std::nullopt;
+  }
 
   GroundShadow shadow;
   const double reach = (0.5 + kMargin) * side, height = std::max(high.z() - low.z(), 1e-3 * side);
@@ -67,16 +67,15 @@ std::optional<GroundShadow> make_ground_shadow(const PolygonLayer& layer) {
 
   std::vector<float> cells(kCells * kCells, 0.0f);
   const auto in_cells = [&](int point) {
-    const Vector3d p = layer.points.row(point).transpose();
+    const Vector3d p = points.row(point).transpose();
     const double lift = (p.z() - low.z()) / std::max(height, 0.25 * side);
     return Vector3d((p.x() - shadow.low.x()) / cell, (p.y() - shadow.low.y()) / cell, std::exp(-1.5 * lift));
   };
-  for (int p = 0; p < layer.polygons.size(); ++p) {
-    if (layer.polygons.valence(p) < 3) continue;
-    for (const auto& t : triangulate(layer.points, layer.polygons[p])) {
-      if (!std::all_of(t.begin(), t.end(), [&](int i) { return layer.points.row(i).allFinite(); })) continue;
-      cover(cells, in_cells(t[0]), in_cells(t[1]), in_cells(t[2]));
-    }
+  for (size_t t = 0; t + 2 < corners.size(); t += 3) {
+    const auto triangle = corners.subspan(t, 3);
+    if (!std::all_of(triangle.begin(), triangle.end(), [&](int i) { return points.row(i).allFinite(); }))
+      continue;
+    cover(cells, in_cells(triangle[0]), in_cells(triangle[1]), in_cells(triangle[2]));
   }
   for (int i = 0; i < kBlurs; ++i) {
     blur(cells, 1, kCells);

@@ -3,9 +3,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
-#include "ui/render/scene.h"
+#include "core/base/geometry.h"
 
 namespace planewright::render {
 
@@ -15,7 +16,8 @@ struct GroundShadow {
   std::vector<std::uint8_t> darkness;  // kCells x kCells, row by row from low
 };
 
-// Nothing for a layer without extent in plan (or with no finite polygon).
-std::optional<GroundShadow> make_ground_shadow(const PolygonLayer& layer);
+// points: #N x 3, corners: three rows of it per triangle. Nothing without extent in plan. Triangles with a
+// corner that is not finite are left out.
+std::optional<GroundShadow> make_ground_shadow(const Points& points, std::span<const int> corners);
 
 }  // namespace planewright::render

@@ -18,8 +18,8 @@ class PanelBuffer {
   void update(const Points& points, const Vector& polygon_values, const Vector& point_values);
 
   bool empty() const { return geometry_.vertex_count() == 0; }
-  int point_count() const { return point_count_; }
-  void draw() const;  // with the program in use
+  const PanelGeometry& geometry() const { return geometry_; }  // its shapes live on the GPU only
+  void draw() const;                                           // with the program in use
 
  private:
   PanelGeometry geometry_;

@@ -28,6 +28,7 @@ struct Frame {
   glm::vec3 eye, key_light;
   glm::vec2 size;  // pixels
   float pixel_scale, pixels_per_unit, near;
+  bool fine;
 
   Frame(const Camera& camera, const Viewport& viewport)
       : view(camera.view()),
@@ -37,7 +38,8 @@ struct Frame {
         size(viewport.width, viewport.height),
         pixel_scale(viewport.pixel_scale),
         pixels_per_unit(0.5f * projection[1][1] * static_cast<float>(viewport.height)),
-        near(projection[3][2] / (projection[2][2] - 1.0f)) {
+        near(projection[3][2] / (projection[2][2] - 1.0f)),
+        fine(viewport.fine) {
     // From above, over the viewer's left shoulder: turns with the view, so that facets always differ in tone.
     const glm::vec3 up(0.0f, 0.0f, 1.0f), right(view[0][0], view[1][0], view[2][0]);
     key_light = glm::normalize(0.80f * up - 0.52f * right + 0.38f * glm::cross(right, up));
@@ -173,6 +175,7 @@ struct Renderer::Impl {
   GlTexture map;
 
   PanelBuffer panels, ghost;
+  std::optional<PolygonLayer> ghost_layer;  // what `ghost` was made from
   LineBuffer ghost_lines;
   float ghost_edge = 0.0f;  // mean length, scene units
   std::optional<GroundShadow> shadow;
@@ -181,6 +184,8 @@ struct Renderer::Impl {
   MarkerBuffer markers;
   std::optional<ColourScale> colours;
 
+  void set_ghost(const std::optional<PolygonLayer>& layer);
+  void set_shadow(const Scene& scene);
   void draw_backdrop(const Palette& palette) const;
   void draw_shadow(const Frame& frame, const Palette& palette) const;
   void draw_ghost_faces(const Frame& frame, const Palette& palette) const;
@@ -254,6 +259,7 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
   p.set("card", palette.card);
   p.set("edge", palette.edge);
   p.set("line_width", kPanelLine * frame.pixel_scale);
+  p.set("fine", frame.fine ? 1 : 0);
   p.set("coloured", colours ? 1 : 0);
   p.set("map", 0);
   if (colours) {
@@ -287,20 +293,19 @@ void Renderer::Impl::begin_lines(const Frame& frame) const {
   glEnable(GL_BLEND);
 }
 
-// Once as far as nothing stands before the lines, and once fainter as if they lay half an edge nearer: design
-// edges just beneath the panels stay legible, while the far side of the model does not shine through.
+// Over panels the lines are drawn as if they lay a third of an edge nearer: design edges just beneath the
+// panels stay legible, while the far side of the model does not shine through. One pass does for both; lines
+// are what costs most on a software renderer.
 void Renderer::Impl::draw_ghost_lines(const Frame& frame, const Palette& palette) const {
   if (ghost_lines.empty()) return;
   begin_lines(frame);
   const ShaderProgram& p = programs.line;
+  const bool alone = panels.empty();
   p.set("line_width", kGhostLine * frame.pixel_scale);
   p.set("fade_below", 24.0f * frame.pixel_scale);
   p.set("lift_pixels", 0.5f * frame.pixel_scale);
-  const bool alone = panels.empty();
-  p.set("tint", glm::vec4(palette.ghost, alone ? 0.75f : 0.40f));
-  ghost_lines.draw();
-  p.set("lift", 0.5f * ghost_edge);
-  p.set("tint", glm::vec4(palette.ghost, alone ? 0.10f : 0.14f));
+  p.set("lift", alone ? 0.0f : 0.35f * ghost_edge);
+  p.set("tint", glm::vec4(palette.ghost, alone ? 0.75f : 0.42f));
   ghost_lines.draw();
 }
 
@@ -378,20 +383,33 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
+// The input seldom changes while the panels do, so it is kept when it is the same.
+void Renderer::Impl::set_ghost(const std::optional<PolygonLayer>& layer) {
+  const auto same = [](const PolygonLayer& a, const PolygonLayer& b) {
+    return a.points.rows() == b.points.rows() && a.points == b.points && a.polygons == b.polygons;
+  };
+  if (layer.has_value() == ghost_layer.has_value() && (!layer || same(*layer, *ghost_layer))) return;
+  ghost_layer.reset();  // should an upload fail
+  ghost = layer ? PanelBuffer(*layer) : PanelBuffer();
+  const std::vector<Vector3d> ends = layer ? edge_ends(*layer) : std::vector<Vector3d>();
+  ghost_lines = LineBuffer(ends);
+  ghost_edge = static_cast<float>(mean_length(ends));
+  ghost_layer = layer;
+}
+
+void Renderer::Impl::set_shadow(const Scene& scene) {
+  shadow.reset();
+  if (scene.panels) shadow = make_ground_shadow(scene.panels->points, panels.geometry().corners);
+  if (!shadow && scene.ghost) shadow = make_ground_shadow(scene.ghost->points, ghost.geometry().corners);
+  if (!shadow) return;
+  shadow_picture =
+      make_texture(GL_R8, GL_RED, GroundShadow::kCells, GroundShadow::kCells, shadow->darkness.data());
+}
+
 void Renderer::set_scene(const Scene& scene) {
   impl_->panels = scene.panels ? PanelBuffer(*scene.panels) : PanelBuffer();
-  impl_->ghost = scene.ghost ? PanelBuffer(*scene.ghost) : PanelBuffer();
-  const std::vector<Vector3d> ends = scene.ghost ? edge_ends(*scene.ghost) : std::vector<Vector3d>();
-  impl_->ghost_lines = LineBuffer(ends);
-  impl_->ghost_edge = static_cast<float>(mean_length(ends));
-
-  impl_->shadow.reset();
-  if (scene.panels) impl_->shadow = make_ground_shadow(*scene.panels);
-  if (!impl_->shadow && scene.ghost) impl_->shadow = make_ground_shadow(*scene.ghost);
-  if (impl_->shadow) {
-    impl_->shadow_picture = make_texture(GL_R8, GL_RED, GroundShadow::kCells, GroundShadow::kCells,
-                                         impl_->shadow->darkness.data());
-  }
+  impl_->set_ghost(scene.ghost);
+  impl_->set_shadow(scene);
   set_markers(scene.markers, scene.segments);
   set_colours(scene.colours);
   check_gl("uploading the scene");

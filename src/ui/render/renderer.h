@@ -30,6 +30,7 @@ struct Theme {
 struct Viewport {
   int x = 0, y = 0, width = 1, height = 1;  // pixels of the framebuffer, (0, 0) bottom left
   float pixel_scale = 1.0f;                 // of line widths and markers: 2 on a hi-dpi screen
+  bool fine = false;  // also the small things that only a still picture shows, for a third more time
 };
 
 class Renderer {

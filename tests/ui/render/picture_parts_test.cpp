@@ -10,6 +10,7 @@
 #include "ui/render/ground_shadow.h"
 #include "ui/render/legend.h"
 #include "ui/render/palette.h"
+#include "ui/render/panel_geometry.h"
 #include "ui/render/png.h"
 #include "ui/render/text.h"
 
@@ -18,6 +19,10 @@ namespace {
 
 Image blank(int width, int height, std::uint8_t shade = 255) {
   return {width, height, std::vector<std::uint8_t>(static_cast<size_t>(width) * height * 4, shade)};
+}
+
+std::optional<GroundShadow> shadow_of(const PolygonLayer& layer) {
+  return make_ground_shadow(layer.points, make_panel_geometry(layer.points, layer.polygons).corners);
 }
 
 int changed_pixels(const Image& image, std::uint8_t shade = 255) {
@@ -125,7 +130,7 @@ TEST(Legend, FitsIntoAnyPicture) {
 }
 
 TEST(GroundShadow, LiesUnderTheModelAndFadesOut) {
-  const auto shadow = make_ground_shadow(cube());
+  const auto shadow = shadow_of(cube());
   ASSERT_TRUE(shadow);
   EXPECT_EQ(shadow->low.z(), -1.0);
   EXPECT_LT(shadow->low.x(), -1.0);
@@ -139,13 +144,13 @@ TEST(GroundShadow, LiesUnderTheModelAndFadesOut) {
 }
 
 TEST(GroundShadow, OddLayersHaveNone) {
-  EXPECT_FALSE(make_ground_shadow({}));
+  EXPECT_FALSE(shadow_of({}));
   PolygonLayer layer = unit_square();
   layer.points(1, 1) = std::nan("");
-  const auto shadow = make_ground_shadow(layer);
+  const auto shadow = shadow_of(layer);
   EXPECT_TRUE(!shadow || shadow->low.allFinite());
   PolygonLayer wall{rows({{0, 0, 0}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}}), {{0, 1, 2, 3}}, {}, {}};
-  EXPECT_TRUE(make_ground_shadow(wall));  // seen from above a line: a rectangle without darkness
+  EXPECT_TRUE(shadow_of(wall));  // seen from above a line: a rectangle without darkness
 }
 
 }  // namespace
