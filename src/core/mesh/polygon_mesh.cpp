@@ -249,14 +249,18 @@ MeshEdge PolygonMesh::edge(int e) const {
 
 int PolygonMesh::find_edge(int a, int b) const {
   const HalfedgeMesh& mesh = impl_->mesh;
-  if (a < 0 || b < 0 || a >= vertex_count() || b >= vertex_count()) return -1;
-  const HalfedgeHandle start = mesh.halfedge_handle(VertexHandle(a));
-  if (!start.is_valid() || is_isolated(b)) return -1;
-  HalfedgeHandle h = start;
+  if (a < 0 || b < 0 || a >= vertex_count() || b >= vertex_count() || is_isolated(a) || is_isolated(b))
+    return -1;
+  // Turns round both ends at once, so that a hub of very many faces costs no more than its neighbour.
+  const HalfedgeHandle start_a = mesh.halfedge_handle(VertexHandle(a)),
+                       start_b = mesh.halfedge_handle(VertexHandle(b));
+  HalfedgeHandle at_a = start_a, at_b = start_b;
   do {
-    if (mesh.to_vertex_handle(h).idx() == b) return mesh.edge_handle(h).idx();
-    h = impl_->turn_left(h);
-  } while (h != start);
+    if (mesh.to_vertex_handle(at_a).idx() == b) return mesh.edge_handle(at_a).idx();
+    if (mesh.to_vertex_handle(at_b).idx() == a) return mesh.edge_handle(at_b).idx();
+    at_a = impl_->turn_left(at_a);
+    at_b = impl_->turn_left(at_b);
+  } while (at_a != start_a && at_b != start_b);
   return -1;
 }
 

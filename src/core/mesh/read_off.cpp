@@ -68,6 +68,7 @@ class OffReader {
     const std::string_view word = ahead.token();
     header_ = parse_header(word);
     if (!header_.valid) {
+      header_ = {};
       // Some files begin with the counts at once.
       if (to_integer(word)) return {};
       scanner_ = ahead;

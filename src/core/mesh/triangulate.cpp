@@ -161,7 +161,7 @@ class EarClipper {
   std::vector<int> next_, previous_;
   std::vector<char> reflex_, removed_;
   ReflexGrid grid_;
-  std::int64_t budget_ = 200'000'000;  // rough count of steps: a second or so
+  std::int64_t budget_ = 100'000'000;  // rough count of steps: about a second
 };
 
 }  // namespace
