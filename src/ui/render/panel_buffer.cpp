@@ -1,5 +1,6 @@
 #include "ui/render/panel_buffer.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstddef>
 
@@ -39,8 +40,7 @@ PanelBuffer::PanelBuffer(const PolygonLayer& layer)
   glBindVertexArray(arrays_.get());
   glBindBuffer(GL_ARRAY_BUFFER, shapes_.get());
   glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(sizeof(PanelShape) * geometry_.shapes.size()),
-               geometry_.shapes.data(), GL_STATIC_DRAW);
-  geometry_.shapes = {};
+               geometry_.shapes.data(), GL_DYNAMIC_DRAW);
   const auto offset = [](size_t bytes) { return reinterpret_cast<const void*>(bytes); };
   glVertexAttribIPointer(kEdgeMask, 1, GL_UNSIGNED_INT, sizeof(PanelShape),
                          offset(offsetof(PanelShape, edge_mask)));
@@ -62,6 +62,7 @@ PanelBuffer::PanelBuffer(const PolygonLayer& layer)
 void PanelBuffer::update(const Points& points, const Vector& polygon_values, const Vector& point_values) {
   assert(points.rows() == point_count_);
   if (empty() || points.rows() != point_count_) return;
+  unfold(points);
   refill<PanelPlace>(places_, geometry_.vertex_count(),
                      [&](std::span<PanelPlace> out) { write_places(geometry_, points, out); });
   has_values_ = polygon_values.size() > 0 || point_values.size() > 0;
@@ -70,6 +71,28 @@ void PanelBuffer::update(const Points& points, const Vector& polygon_values, con
                   [&](std::span<float> out) { write_values(geometry_, polygon_values, point_values, out); });
   }
   glBindBuffer(GL_ARRAY_BUFFER, 0);
+}
+
+// A panel that crosses itself stays folded however it is cut; so that many of them cannot hold up the stream,
+// each call looks at a limited number and the next goes on from there.
+void PanelBuffer::unfold(const Points& points) {
+  constexpr size_t kMost = 500;
+  std::vector<int> folded = find_folded(geometry_, points);
+  if (folded.empty()) return;
+  if (folded.size() > kMost) {
+    const auto next = std::lower_bound(folded.begin(), folded.end(), unfolded_to_);
+    std::rotate(folded.begin(), next, folded.end());
+    unfolded_to_ = folded[kMost];
+    folded.resize(kMost);
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, shapes_.get());
+  for (int p : folded) {
+    if (!cut_again(geometry_, points, p)) continue;
+    const int from = 3 * geometry_.first_triangle[p], to = 3 * geometry_.first_triangle[p + 1];
+    glBufferSubData(GL_ARRAY_BUFFER, static_cast<GLintptr>(sizeof(PanelShape)) * from,
+                    static_cast<GLsizeiptr>(sizeof(PanelShape)) * (to - from),
+                    geometry_.shapes.data() + from);
+  }
 }
 
 void PanelBuffer::draw() const {

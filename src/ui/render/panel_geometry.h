@@ -33,7 +33,8 @@ struct PanelPlace {  // per triangle corner, changes with the points
 
 struct PanelGeometry {
   Polygons polygons;
-  std::vector<int> corners;         // #triangles x 3 rows of the points
+  std::vector<char> border;  // per entry of polygons.indices(): the edge from it to the next is a border
+  std::vector<int> corners;  // #triangles x 3 rows of the points
   std::vector<int> first_triangle;  // #polygons + 1
   std::vector<PanelShape> shapes;   // #triangles x 3
 
@@ -42,6 +43,11 @@ struct PanelGeometry {
 
 // Cuts the polygons into triangles. Polygons with fewer than 3 corners are left out.
 PanelGeometry make_panel_geometry(const Points& points, const Polygons& polygons);
+
+// The polygons that have a triangle facing the other way: cut for other points, or crossing themselves.
+std::vector<int> find_folded(const PanelGeometry& geometry, const Points& points);
+// Cuts one polygon anew, in the place of its old triangles. False when they stay the same.
+bool cut_again(PanelGeometry& geometry, const Points& points, int polygon);
 
 // out: #vertex_count. points may differ from those the geometry was made with, not in number.
 void write_places(const PanelGeometry& geometry, const Points& points, std::span<PanelPlace> out);

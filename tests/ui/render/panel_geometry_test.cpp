@@ -105,6 +105,26 @@ TEST(PanelGeometry, PlacesFollowThePointsAndShareThePanelsNormal) {
   }
 }
 
+TEST(PanelGeometry, CutsPolygonsAgainThatTheirPointsFolded) {
+  PolygonLayer layer = letter_l();
+  PanelGeometry g = make_panel_geometry(layer.points, layer.polygons);
+  EXPECT_TRUE(find_folded(g, layer.points).empty());
+  EXPECT_FALSE(cut_again(g, layer.points, 0));
+
+  layer.points = rows({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}});  // another notch
+  EXPECT_EQ(find_folded(g, layer.points), std::vector<int>{0});
+  EXPECT_TRUE(cut_again(g, layer.points, 0));
+  EXPECT_TRUE(find_folded(g, layer.points).empty());
+  EXPECT_EQ(marked(g, edge_bit), polygon_edges(layer.polygons));
+  EXPECT_EQ(marked(g, border_edge_bit), polygon_edges(layer.polygons));
+  EXPECT_EQ(g.corners, make_panel_geometry(layer.points, layer.polygons).corners);
+
+  layer.points =
+      rows({{0, 0, 0}, {2, 2, 0}, {2, 0, 0}, {0, 2.1, 0}, {-1, 2, 0}, {-1, 1, 0}});  // crosses itself
+  cut_again(g, layer.points, 0);
+  EXPECT_EQ(marked(g, edge_bit), polygon_edges(layer.polygons));
+}
+
 TEST(PanelGeometry, PacksNormals) {
   for (const Vector3d& n :
        {Vector3d(0, 0, 5), Vector3d(-1, 2, -3), Vector3d(1e-100, 0, 0), Vector3d(-1, 0, 0)}) {

@@ -298,6 +298,28 @@ TEST_F(RendererTest, UpdatedPointsAreWhereTheyAreDrawn) {
   EXPECT_GT(grey(at(*coloured, options, {1.5, 0.4, 0})), 0.6f);
 }
 
+TEST_F(RendererTest, PanelsThatBecomeConcaveKeepTheirOutline) {
+  const auto context = EglContext::create();
+  ASSERT_TRUE(context);
+  auto renderer = Renderer::create();
+  ASSERT_TRUE(renderer);
+  Scene scene;
+  scene.panels = letter_l();
+  PictureOptions options = from_above(scene);
+  renderer->set_scene(scene);
+  // The notch moves from the upper right to the upper left.
+  const Points moved = rows({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}});
+  renderer->update_panel_points(moved, {}, {});
+  const auto image = draw_image(*renderer, {}, options);
+  ASSERT_TRUE(image);
+  const glm::vec3 face = at(*image, options, {0.7, 0.4, 0});
+  for (const auto& [x, y] :
+       {std::pair{1.5, 1.5}, std::pair{1.2, 0.9}, std::pair{0.3, 0.8}, std::pair{1.7, 0.3}}) {
+    EXPECT_LT(distance(at(*image, options, {x, y, 0}), face), 0.01f);
+  }
+  EXPECT_GT(distance(at(*image, options, {0.5, 1.5, 0}), face), 0.02f);
+}
+
 TEST_F(RendererTest, DrawsOnlyIntoItsRectangle) {
   const auto context = EglContext::create();
   ASSERT_TRUE(context);
