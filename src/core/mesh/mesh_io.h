@@ -4,8 +4,9 @@
 // The readers are our own: OpenMesh's drop faces that break its invariants, know no line numbers and read
 // floats in single precision on some paths. Formats are recognised by content where that is certain, else by
 // the name's ending. Numbers are read and written locale-independently; writers use 17 significant digits, so
-// that planarity survives the round trip (binary PLY: 8-byte doubles; binary STL is single precision by its
-// format and is only read, never written). Threads: no shared state.
+// that planarity survives the round trip (PLY is written as text, its coordinates declared as doubles; binary
+// STL is single precision by its format and is only read, never written). Files of more than 2 GB, devices
+// and pipes are refused. Threads: no shared state.
 #pragma once
 
 #include <filesystem>
@@ -42,7 +43,9 @@ Result<PolygonSoup> parse_mesh(std::string_view content, MeshFormat format, cons
 Result<CheckedMesh> load_mesh(const std::filesystem::path& path);
 
 // Writes polygons, whole or not at all. positions: #V x 3, model units. STL: polygons are cut into triangles
-// (ear clipping in the panel's plane, so that concave panels keep their outline).
+// (ear clipping in the panel's plane, so that concave panels keep their outline). Refuses
+// (ErrorCode::Refused, naming the element) coordinates that are not finite, faces with fewer than 3 corners,
+// indices out of range.
 Result<void> save_mesh(const std::filesystem::path& path, const Points& positions, const Polygons& faces);
 Result<std::string> format_mesh(MeshFormat format, const Points& positions, const Polygons& faces);
 

@@ -38,7 +38,7 @@ std::vector<Point2> flatten(const Points& points, std::span<const int> polygon) 
 // Reflex corners by cells of a square grid, about one per cell: only they can lie inside an ear.
 class ReflexGrid {
  public:
-  ReflexGrid(const std::vector<Point2>& points, const std::vector<int>& reflex) : points_(points) {
+  ReflexGrid(const std::vector<Point2>& points, const std::vector<int>& reflex) {
     if (reflex.empty()) return;
     Point2 high = low_ = points[reflex[0]];
     for (int i : reflex) {
@@ -80,7 +80,6 @@ class ReflexGrid {
   }
   int cell(const Point2& p) const { return column(p.y(), 1) * side_ + column(p.x(), 0); }
 
-  const std::vector<Point2>& points_;
   Point2 low_ = Point2::Zero(), size_ = Point2::Zero();
   int side_ = 0;
   std::vector<int> first_, entries_;
@@ -94,7 +93,8 @@ class EarClipper {
         next_(points_.size()),
         previous_(points_.size()),
         reflex_(points_.size(), 0),
-        grid_(points_, find_reflex()) {}
+        grid_(points_, find_reflex()),
+        budget_(std::min<std::int64_t>(1'000'000 + 1000 * std::int64_t{n_}, 100'000'000)) {}
 
   // Corners of the triangles, as positions in the polygon.
   std::vector<std::array<int, 3>> clip() {
@@ -161,7 +161,7 @@ class EarClipper {
   std::vector<int> next_, previous_;
   std::vector<char> reflex_, removed_;
   ReflexGrid grid_;
-  std::int64_t budget_ = 100'000'000;  // rough count of steps: about a second
+  std::int64_t budget_;  // steps: far more than a sane polygon takes, and about a second at most
 };
 
 }  // namespace
