@@ -123,6 +123,7 @@ void draw_timings_card(Desk& desk) {
     series("Drain the solver", t.drain);
     series("Upload an iterate", t.upload);
     series("Drain and upload, a frame", t.stream);
+    series("  of it processor time", t.stream_cpu);
     series("Prepare an iterate (worker)", t.prepare);
     series("Draw the model", t.scene);
     series("Draw the rest", t.panels);

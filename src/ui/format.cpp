@@ -42,15 +42,19 @@ std::string format_number(double value) {
 
 std::string format_with_unit(double value, std::string_view unit) {
   std::string text = format_number(value);
-  if (!unit.empty()) text += " " + std::string(unit);
+  if (!unit.empty()) text.append(1, ' ').append(unit);
   return text;
 }
 
 std::string format_count(std::int64_t count) {
-  std::string digits = std::to_string(count < 0 ? -count : count);
-  for (int i = static_cast<int>(digits.size()) - 3; i > 0; i -= 3)
-    digits.insert(static_cast<std::size_t>(i), ",");
-  return count < 0 ? "-" + digits : digits;
+  const std::string digits = std::to_string(count);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    const std::size_t left = digits.size() - i;
+    if (i > 0 && left % 3 == 0 && digits[i - 1] != '-') text.append(1, ',');
+    text.append(1, digits[i]);
+  }
+  return text;
 }
 
 std::string format_count(std::int64_t count, std::string_view singular, std::string_view plural) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <ctime>
 
 namespace planewright::ui {
 
@@ -28,6 +29,21 @@ double TimingSeries::median() const {
   return *middle;
 }
 
+namespace {
+
+double thread_milliseconds() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace
+
+ThreadClock::ThreadClock() : start_(thread_milliseconds()) {}
+double ThreadClock::milliseconds() const {
+  return thread_milliseconds() - start_;
+}
+
 void FrameTimings::clear() {
   *this = FrameTimings();
 }
@@ -44,6 +60,7 @@ std::string FrameTimings::text() const {
   line("prepare", prepare);
   line("upload", upload);
   line("stream", stream);
+  line("stream cpu", stream_cpu);
   line("scene", scene);
   line("panels", panels);
   line("frame", frame);

@@ -29,13 +29,25 @@ struct FrameTimings {
   TimingSeries drain;  // taking iterates, scalars and outcomes from the solve session (frames that had some)
   TimingSeries prepare;  // off the window's thread: measures and arrays of one iterate
   TimingSeries upload;   // handing an iterate's arrays to OpenGL
-  TimingSeries stream;   // drain + upload of one frame: what a solve costs the window
-  TimingSeries scene;    // drawing the model, as far as the processor sees it
-  TimingSeries panels;   // laying out and drawing everything else
-  TimingSeries frame;    // a whole frame without sleeping
+  TimingSeries stream;   // both and all between, in one frame: what a solve costs the window
+  TimingSeries
+      stream_cpu;  // the same as processor time of the window's thread: without waiting for a busy machine
+  TimingSeries scene;   // drawing the model, as far as the processor sees it
+  TimingSeries panels;  // laying out and drawing everything else
+  TimingSeries frame;   // a whole frame without sleeping
 
   void clear();
   std::string text() const;  // a table, one line per series
+};
+
+// Processor time of the calling thread.
+class ThreadClock {
+ public:
+  ThreadClock();
+  double milliseconds() const;
+
+ private:
+  double start_;
 };
 
 class Stopwatch {

@@ -222,6 +222,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "upload_median_ms") return text_of(state.timings.upload.median());
   if (key == "upload_max_ms") return text_of(state.timings.upload.max());
   if (key == "stream_median_ms") return text_of(state.timings.stream.median());
+  if (key == "stream_cpu_max_ms") return text_of(state.timings.stream_cpu.max());
   if (key == "stream_max_ms") return text_of(state.timings.stream.max());
   return std::nullopt;
 }
@@ -235,11 +236,11 @@ void TestDriver::push(Input input, int frames) {
 }
 
 void TestDriver::click_at(ImVec2 at, bool ctrl, bool twice) {
-  push({.mouse = at, .ctrl = ctrl, .double_clicks = twice}, 2);
+  push({.mouse = at, .ctrl = ctrl}, 2);
   push({.left = true}, 2);
   push({.left = false});
   if (twice) {
-    push({.left = true}, 2);
+    push({.left = true, .double_clicks = true}, 2);
     push({.left = false});
   }
   push({.ctrl = false, .double_clicks = false}, 2);

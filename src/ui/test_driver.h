@@ -54,6 +54,8 @@ class TestDriver {
   // After a frame was drawn: runs commands until one has to wait. `frame`: the running number of the frame.
   void step(const DriverContext& context, int frame);
 
+  // Nothing to feed in: a wait for a worker may sleep a little, so that the worker has the machine.
+  bool idle() const { return inputs_.empty() && waiting_.has_value(); }
   bool done() const { return failure_ || (next_ >= script_.commands.size() && inputs_.empty() && !waiting_); }
   // "script.txt:12: expected ..., found ..."; nothing as long as all is well.
   const std::optional<std::string>& failure() const { return failure_; }

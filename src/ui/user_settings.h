@@ -22,7 +22,7 @@ struct UserSettings {
   bool show_ghost = true;
   bool show_hint = true;   // the three lines of what to try
   bool auto_solve = true;  // solve at every change
-  std::string last_folder;
+  std::string last_folder = {};
 
   bool operator==(const UserSettings&) const = default;
 };

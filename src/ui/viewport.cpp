@@ -120,9 +120,9 @@ struct Viewport::Impl {
   bool marks_stale = true;
   std::uint64_t fitted = 0;
 
-  bool dirty = true, coarse_picture = false, redrawn = false;
+  bool dirty = true, coarse_picture = false, fine_picture = false, redrawn = false;
   bool moving = false;  // the camera, by the mouse, in this frame
-  double fine_ms = 0;   // what a full picture took lately
+  double full_ms = 0;   // what a full picture took lately
 
   // The mouse.
   std::optional<int> hovered;
@@ -499,7 +499,10 @@ void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
 }
 
 void Viewport::Impl::picture(Ui& ui, AppState& state) {
-  const bool coarse = moving && fine_ms > kSlowPicture;
+  const bool coarse = moving && full_ms > kSlowPicture;
+  // The small things come when the picture stands still.
+  const bool fine = !moving && !state.solving();
+  if (fine && !fine_picture) dirty = true;
   const int divisor = coarse ? 2 : 1;
   const int width = std::max(1, camera.width() / divisor), height = std::max(1, camera.height() / divisor);
   if (target.resize(width, height)) dirty = true;
@@ -508,6 +511,7 @@ void Viewport::Impl::picture(Ui& ui, AppState& state) {
   if (!dirty) return;
   dirty = false;
   redrawn = true;
+  fine_picture = fine;
 
   const Stopwatch watch;
   glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
@@ -515,12 +519,13 @@ void Viewport::Impl::picture(Ui& ui, AppState& state) {
   view.width = width;
   view.height = height;
   view.pixel_scale = ui.theme().scale() * pixel_ratio / static_cast<float>(divisor);
+  view.fine = fine;
   render::Theme look;
   look.dark = dark;
   renderer.draw(camera, view, look, state.view_options.ghost || !shown);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   if (!coarse && moving) glFinish();  // only while moving: to know whether coarse is worth it
-  if (!coarse) fine_ms = watch.milliseconds();
+  if (!coarse) full_ms = watch.milliseconds();
 }
 
 // --- Overlays

@@ -19,7 +19,7 @@ double two_digits(double value) {
 }  // namespace
 
 double weight_at(double fraction) {
-  if (!(fraction > kZeroZone)) return 0.0;
+  if (!(fraction >= kZeroZone)) return 0.0;
   const double t = std::min((fraction - kZeroZone) / (1 - kZeroZone), 1.0);
   const double low = std::log10(kLeastWeight), high = std::log10(kMostWeight);
   return two_digits(std::pow(10.0, low + t * (high - low)));

@@ -250,12 +250,15 @@ double Window::sleep_seconds() const {
 Result<void> Window::run() {
   while (!shown_.quit && glfwWindowShouldClose(window_.get()) == GLFW_FALSE &&
          !(driver_ && driver_->done())) {
-    if (frames_due_ > 0 || driver_) {
+    if (driver_ && driver_->idle() && frames_due_ == 0) {
+      glfwWaitEventsTimeout(0.02);
+    } else if (frames_due_ > 0 || driver_) {
       glfwPollEvents();
     } else {
       glfwWaitEventsTimeout(sleep_seconds());
     }
     const Stopwatch watch;
+    const ThreadClock thread_clock;
     const auto now = Clock::now();
     if (std::exchange(gathered_.anything, false)) frames_due_ = kFramesAfterInput;
 
@@ -265,8 +268,8 @@ Result<void> Window::run() {
     const bool drained = state_.timings.drain.count() > drains,
                uploaded = state_.timings.upload.count() > uploads;
     if (drained || uploaded) {
-      state_.timings.stream.add((drained ? state_.timings.drain.last() : 0) +
-                                (uploaded ? state_.timings.upload.last() : 0));
+      state_.timings.stream.add(watch.milliseconds());
+      state_.timings.stream_cpu.add(thread_clock.milliseconds());
     }
 
     // Things that move by themselves: the time of a running solve, a text cursor, a gesture that ends by

@@ -1,0 +1,237 @@
+// The window's state without a window: what is shown, what is stale, and what a mistake must not lose.
+#include "ui/app_state.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <thread>
+
+#include "core/mesh/mesh_io.h"
+
+namespace planewright::ui {
+namespace {
+
+using namespace std::chrono_literals;
+
+// Runs frames until `done`; false after a minute.
+template <class Done>
+bool run_until(AppState& state, Done done) {
+  const auto limit = Clock::now() + 60s;
+  while (!done()) {
+    if (Clock::now() > limit) return false;
+    state.update(Clock::now());
+    std::this_thread::sleep_for(1ms);
+  }
+  return true;
+}
+bool settle(AppState& state) {
+  return run_until(state, [&] { return state.settled() && !state.document().empty(); });
+}
+
+DesignSettings with_fairing(const AppState& state, double weight) {
+  DesignSettings settings = state.document().settings();
+  settings.weights["fairing"] = weight;
+  return settings;
+}
+
+std::filesystem::path temporary(const std::string& name) {
+  return std::filesystem::path(testing::TempDir()) / ("app_state_test_" + name);
+}
+
+TEST(AppState, OpensASampleAndSolvesIt) {
+  AppState state;
+  state.open_sample("dome", 100);
+  EXPECT_TRUE(state.loading());
+  ASSERT_TRUE(settle(state));
+  ASSERT_NE(state.report(), nullptr);
+  EXPECT_EQ(state.report()->status, SolveStatus::Converged);
+  ASSERT_NE(state.shown(), nullptr);
+  EXPECT_TRUE(state.shown()->final);
+  EXPECT_LE(state.shown()->planarity.max_relative_to_bbox, 1e-9);
+  EXPECT_FALSE(state.history().empty());
+  EXPECT_TRUE(state.up_to_date());
+  EXPECT_TRUE(state.messages().empty());
+  EXPECT_EQ(state.document().settings().mode, ComplexKind::Dual);
+}
+
+TEST(AppState, QuadsArePlanarized) {
+  AppState state;
+  state.open_sample("twisted-roof", 60);
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.document().settings().mode, ComplexKind::Planarize);
+}
+
+TEST(AppState, AChangeSolvesAgainFromTheShownState) {
+  AppState state;
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(settle(state));
+  const auto ticket = state.ticket();
+  const auto before = state.shown();
+  state.change_settings(with_fairing(state, 5.0), "Weight of fairing");
+  EXPECT_FALSE(state.settled());
+  EXPECT_EQ(state.shown(), before) << "the last good state stays until the next arrives";
+  ASSERT_TRUE(settle(state));
+  EXPECT_GT(state.ticket(), ticket);
+  EXPECT_NE(state.shown()->fingerprint, before->fingerprint);
+
+  state.undo();
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.document().settings().weights.at("fairing"), 0.0);
+}
+
+TEST(AppState, ADragShowsOnlyTheNewestValueInTheEnd) {
+  AppState state;
+  state.open_sample("dome", 300);
+  ASSERT_TRUE(settle(state));
+  const auto ticket = state.ticket();
+  for (int i = 1; i <= 20; ++i) {
+    state.change_settings(with_fairing(state, 0.1 * i), "Weight of fairing", "weight fairing");
+    state.update(Clock::now());
+    std::this_thread::sleep_for(4ms);
+  }
+  EXPECT_LT(state.ticket() - ticket, 20u) << "a drag must not restart the solver with every pixel";
+  state.end_merge();
+  ASSERT_TRUE(settle(state));
+  EXPECT_TRUE(state.up_to_date());
+  EXPECT_EQ(state.shown()->ticket(), state.ticket());
+  EXPECT_EQ(state.document().undo_name(), "Weight of fairing");
+  state.undo();
+  EXPECT_FALSE(state.document().can_undo()) << "a drag is one step";
+}
+
+TEST(AppState, FlipsSolveAgainAndRefusalsAreMessages) {
+  AppState state;
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(settle(state));
+  const PolygonMesh& mesh = *state.document().mesh();
+  int inner = 0, border = 0;
+  while (!mesh.can_flip(inner)) ++inner;
+  while (!mesh.edge(border).border()) ++border;
+
+  EXPECT_FALSE(state.flip_edge(border));
+  ASSERT_EQ(state.messages().size(), 1u);
+  EXPECT_EQ(state.messages().front().kind, Message::Kind::Error);
+  EXPECT_TRUE(state.settled());
+
+  const auto view = state.mesh_view();
+  EXPECT_TRUE(state.flip_edge(inner));
+  EXPECT_NE(state.mesh_view(), view);
+  ASSERT_TRUE(settle(state));
+  EXPECT_LE(state.shown()->planarity.max_relative_to_bbox, 1e-9);
+}
+
+TEST(AppState, ABadFileLosesNothing) {
+  const auto path = temporary("bad.obj");
+  std::ofstream(path) << "v 0 0 0\nv one 0 0\n";
+  AppState state;
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(settle(state));
+  const auto shown = state.shown();
+  for (const auto& bad : {path, std::filesystem::path("/nowhere/at/all.obj")}) {
+    const auto posted = state.messages_posted();
+    state.open_file(bad);
+    ASSERT_TRUE(run_until(state, [&] { return !state.loading(); }));
+    ASSERT_EQ(state.messages_posted(), posted + 1);
+    EXPECT_EQ(state.messages().back().kind, Message::Kind::Error);
+    EXPECT_FALSE(state.messages().back().what.empty());
+    EXPECT_EQ(state.document().name(), "dome");
+    EXPECT_EQ(state.shown(), shown);
+  }
+  std::filesystem::remove(path);
+}
+
+TEST(AppState, OpeningAnotherDesignDropsWhatTheOldOneStillDelivers) {
+  AppState state;
+  state.open_sample("torus", 1500);
+  ASSERT_TRUE(run_until(state, [&] { return state.shown() != nullptr; }));
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(run_until(state, [&] { return state.document().name() == "dome"; }));
+  const auto limit = Clock::now() + 60s;
+  while (!state.settled() && Clock::now() < limit) {
+    state.update(Clock::now());
+    if (state.shown()) {
+      ASSERT_LT(state.shown()->complex().plane_count(), 500) << "an iterate of the design before";
+    }
+  }
+  EXPECT_TRUE(state.settled());
+}
+
+TEST(AppState, OpeningWhileOpeningEndsWithTheLast) {
+  AppState state;
+  state.open_sample("torus", 400);
+  state.open_sample("vault", 100);
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(run_until(state, [&] { return state.settled() && state.document().name() == "dome"; }));
+}
+
+TEST(AppState, StopKeepsTheBestState) {
+  AppState state;
+  state.open_sample("torus", 3000);
+  ASSERT_TRUE(run_until(state, [&] { return state.iterates_before_end() >= 1; }));
+  state.stop();
+  ASSERT_TRUE(settle(state));
+  ASSERT_NE(state.report(), nullptr);
+  EXPECT_TRUE(state.report()->status == SolveStatus::Stopped ||
+              state.report()->status == SolveStatus::Converged);
+  EXPECT_TRUE(state.shown()->final);
+}
+
+TEST(AppState, WithoutAutoSolveAChangeWaits) {
+  AppState state;
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(settle(state));
+  state.set_auto_solve(false);
+  const auto ticket = state.ticket();
+  state.change_settings(with_fairing(state, 3.0), "Weight of fairing");
+  for (int i = 0; i < 20; ++i) state.update(Clock::now());
+  EXPECT_EQ(state.ticket(), ticket);
+  EXPECT_FALSE(state.up_to_date());
+  state.solve();
+  ASSERT_TRUE(settle(state));
+  EXPECT_GT(state.ticket(), ticket);
+  EXPECT_TRUE(state.up_to_date());
+}
+
+TEST(AppState, ExportsWhatIsShown) {
+  AppState state;
+  const auto path = temporary("panels.obj");
+  std::filesystem::remove(path);
+  state.export_panels(path);
+  EXPECT_EQ(state.messages().size(), 1u) << "nothing to export yet is said, not ignored";
+
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(settle(state));
+  state.export_panels(path);
+  ASSERT_TRUE(run_until(state, [&] { return !state.exporting(); }));
+  const auto read = load_mesh(path);
+  ASSERT_TRUE(read.has_value()) << read.error().text();
+  EXPECT_EQ(read->mesh.face_count(), state.shown()->complex().plane_count());
+  EXPECT_LE(measure_planarity(read->mesh.positions(), read->mesh.faces()).max_relative_to_bbox, 1e-9);
+
+  state.export_panels("/nowhere/at/all.obj");
+  ASSERT_TRUE(run_until(state, [&] { return !state.exporting(); }));
+  EXPECT_EQ(state.messages().back().kind, Message::Kind::Error);
+  std::filesystem::remove(path);
+}
+
+TEST(AppState, ColourRangeIsRoundAndLocks) {
+  AppState state;
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.colour_range(), 0.0);
+  state.view_options.colours = ColourMap::Displacement;
+  const double range = state.colour_range();
+  EXPECT_GE(range, state.shown()->displacement.max);
+  EXPECT_LE(range, 3 * std::max(state.shown()->displacement.max, 1e-3 * state.shown()->complex().mean_edge));
+  state.view_options.lock_range = true;
+  DesignSettings settings = state.document().settings();
+  settings.offset = 5.0;
+  state.change_settings(settings, "Offset");
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.colour_range(), range);
+}
+
+}  // namespace
+}  // namespace planewright::ui

@@ -1,0 +1,495 @@
+// The real window, driven by scripts: each test starts the program, plays one, and looks at what came of it.
+//
+// Needs a display: the present one, or a virtual one by xvfb-run; without either the tests are skipped and
+// say so. The pictures that scripts take are left in the build folder, ui_pictures/, for people to look at.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "core/diagnose/planarity.h"
+#include "core/mesh/mesh_io.h"
+
+namespace planewright {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Playback {
+  int status = -1;
+  std::string output;  // of both streams
+};
+
+// A virtual display for as long as the object lives; does nothing where there is one already.
+class VirtualDisplay {
+ public:
+  VirtualDisplay() {
+    int ends[2];
+    if (std::getenv("DISPLAY") != nullptr || pipe(ends) != 0) return;
+    server_ = fork();
+    if (server_ == 0) {
+      close(ends[0]);
+      const int nothing = open("/dev/null", O_WRONLY);
+      dup2(nothing, 1);
+      dup2(nothing, 2);
+      const std::string number = std::to_string(ends[1]);
+      execlp("Xvfb", "Xvfb", "-displayfd", number.c_str(), "-screen", "0", "1600x1000x24", "-nolisten", "tcp",
+             static_cast<char*>(nullptr));
+      _exit(127);
+    }
+    close(ends[1]);
+    // The server writes the number of its display when it is ready, or closes the pipe when it cannot start.
+    std::string number;
+    char c = 0;
+    while (read(ends[0], &c, 1) == 1 && c != '\n') number += c;
+    close(ends[0]);
+    if (!number.empty()) setenv("DISPLAY", (":" + number).c_str(), 1);
+    own_display_ = !number.empty();
+  }
+  ~VirtualDisplay() {
+    if (server_ <= 0) return;
+    kill(server_, SIGTERM);
+    waitpid(server_, nullptr, 0);
+    if (own_display_) unsetenv("DISPLAY");
+  }
+  VirtualDisplay(const VirtualDisplay&) = delete;
+  VirtualDisplay& operator=(const VirtualDisplay&) = delete;
+
+ private:
+  pid_t server_ = -1;
+  bool own_display_ = false;
+};
+
+class WindowTest : public testing::Test {
+ protected:
+  static void SetUpTestSuite() { display_ = std::make_unique<VirtualDisplay>(); }
+  static void TearDownTestSuite() { display_.reset(); }
+
+  void SetUp() override {
+    if (std::getenv("DISPLAY") == nullptr && std::system("command -v xvfb-run > /dev/null 2>&1") != 0) {
+      GTEST_SKIP() << "no display, and no xvfb-run to make one (apt-get install xvfb)";
+    }
+    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(PLANEWRIGHT_BINARY_DIR) / "ui_runs" / info->name();
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+    pictures_ = fs::path(PLANEWRIGHT_BINARY_DIR) / "ui_pictures";
+    fs::create_directories(pictures_);
+  }
+
+  // Plays a script; FOLDER and PICTURES in it stand for the test's own folder and that of the pictures.
+  Playback play(std::string script, const std::string& arguments = "", int seconds = 240) const {
+    for (const auto& [name, path] :
+         {std::pair<std::string, fs::path>{"FOLDER", folder_}, {"PICTURES", pictures_}}) {
+      for (auto at = script.find(name); at != std::string::npos;
+           at = script.find(name, at + path.string().size())) {
+        script.replace(at, name.size(), path.string());
+      }
+    }
+    const fs::path file = folder_ / "script.txt";
+    std::ofstream(file) << script;
+    std::ostringstream command;
+    command << "XDG_CONFIG_HOME=" << folder_ / "config"
+            << " timeout " << seconds << ' ';
+    command << fs::path(PLANEWRIGHT_WINDOW_BINARY) << " --size 1440x900 --script " << file << ' ' << arguments
+            << " 2>&1";
+    Playback run;
+    FILE* pipe = popen(command.str().c_str(), "r");
+    if (pipe == nullptr) return run;
+    char buffer[4096];
+    while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, pipe))
+      run.output.append(buffer, count);
+    const int status = pclose(pipe);
+    run.status = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return run;
+  }
+
+  // A value that the script printed.
+  static std::string printed(const Playback& run, const std::string& key) {
+    std::istringstream lines(run.output);
+    std::string line, found;
+    while (std::getline(lines, line)) {
+      if (line.starts_with(key + " = ")) found = line.substr(key.size() + 3);
+    }
+    return found;
+  }
+
+  static inline std::unique_ptr<VirtualDisplay> display_;
+  fs::path folder_, pictures_;
+};
+
+TEST_F(WindowTest, StartsOnASampleAndSolvesIt) {
+  const Playback run = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    expect document == dome
+    expect status == converged
+    expect panels > 100
+    expect planarity_relative <= 1e-9
+    expect messages == 0
+    expect ui:Hint/close == enabled
+    wait_frames 5
+    screenshot PICTURES/start.png
+    click Hint/close
+    wait_frames 3
+    expect ui:Hint/close == absent
+  )");
+  ASSERT_EQ(run.status, 0) << run.output;
+  EXPECT_GT(fs::file_size(pictures_ / "start.png"), 20'000u);
+}
+
+TEST_F(WindowTest, StreamsIteratesWhileAWeightIsDragged) {
+  const Playback run = play(R"(
+    sample torus 1000
+    wait_loaded 20
+    wait_solved 200
+    remember fingerprint at_rest
+    remember ticket first
+    # The knob is held: the solver answers while the mouse button is still down.
+    press "Design/weight fairing"
+    move "Design/weight fairing" 0.45
+    move "Design/weight fairing" 0.50
+    wait_iterates 2 100
+    expect iterates_before_end >= 2
+    expect fingerprint != $at_rest
+    expect ticket > $first
+    screenshot PICTURES/dragging.png
+    move "Design/weight fairing" 0.55
+    release
+    expect weight.fairing > 1
+    expect undo == "Weight of fairing"
+    wait_solved 200
+    expect iterates_before_end >= 2
+    expect planarity_relative <= 1e-9
+    key Ctrl+Z
+    wait_frames 2
+    expect weight.fairing == 0
+    expect can_undo == 0
+    key Ctrl+Shift+Z
+    wait_frames 2
+    expect weight.fairing > 1
+    key Space
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, FlipsAnEdgeByAClickAndTakesItBack) {
+  const Playback run = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    hover_edge any
+    expect hovered_edge == $edge
+    wait_frames 3
+    screenshot PICTURES/hover_edge.png
+    remember edge.$edge before
+    remember ticket first
+    click_edge $edge
+    wait_frames 3
+    expect edge.$edge != $before
+    expect undo contains "Flip edge"
+    expect ticket > $first
+    wait_solved 60
+    expect planarity_relative <= 1e-9
+    screenshot PICTURES/flipped.png
+    key Ctrl+Z
+    wait_frames 3
+    expect edge.$edge == $before
+    expect redo contains "Flip edge"
+    wait_solved 60
+    expect status == converged
+    key Ctrl+Y
+    wait_frames 3
+    expect edge.$edge != $before
+    wait_solved 60
+    # From the menu, too.
+    click Menu/Edit
+    wait_frames 3
+    click Menu/Edit/undo
+    wait_frames 3
+    expect edge.$edge == $before
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, StopsInTheMiddle) {
+  const Playback run = play(R"(
+    sample torus 6000
+    wait_loaded 20
+    wait_iterates 1 100
+    expect solving == 1
+    click Design/Stop
+    wait_solved 60
+    expect status == stopped
+    expect panels > 4000
+    expect ui:Design/Solve == enabled
+    screenshot PICTURES/stopped.png
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, ExportsPanelsThatStayPlanar) {
+  const Playback run = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    print panels
+    # Through the file browser, by keyboard.
+    key Ctrl+E
+    wait_frames 4
+    expect browser_open == 1
+    type "FOLDER/panels.obj"
+    wait_frames 3
+    screenshot PICTURES/export.png
+    key Enter
+    wait_frames 30
+    expect browser_open == 0
+    expect last_message contains "panels.obj"
+    # Once more: it asks before it replaces.
+    key Ctrl+E
+    wait_frames 4
+    type "FOLDER/panels.obj"
+    key Enter
+    wait_frames 4
+    expect browser_open == 1
+    click Files/replace
+    wait_frames 30
+    expect browser_open == 0
+    export "FOLDER/panels.off"
+    export "FOLDER/panels.ply"
+    export "FOLDER/panels.stl"
+    expect messages_posted >= 4
+  )");
+  ASSERT_EQ(run.status, 0) << run.output;
+  const int panels = std::stoi(printed(run, "panels"));
+  for (const char* name : {"panels.obj", "panels.off", "panels.ply"}) {
+    const auto read = load_mesh(folder_ / name);
+    ASSERT_TRUE(read.has_value()) << read.error().text();
+    EXPECT_EQ(read->mesh.face_count(), panels) << name;
+    EXPECT_LE(measure_planarity(read->mesh.positions(), read->mesh.faces()).max_relative_to_bbox, 1e-9)
+        << name;
+  }
+  EXPECT_TRUE(load_mesh(folder_ / "panels.stl").has_value());
+}
+
+TEST_F(WindowTest, OpensByArgumentBrowserAndDrop) {
+  ASSERT_EQ(play("wait_loaded 20\nwait_solved 60\nexport FOLDER/dome.ply\n").status, 0);
+  const Playback run = play(R"(
+    wait_loaded 20
+    expect document == dome.ply
+    expect mode == planarize      # hexagons: the mesh's own faces
+    wait_solved 100
+    expect planarity_relative <= 1e-9
+    key Ctrl+O
+    wait_frames 4
+    type "FOLDER"
+    key Enter
+    wait_frames 4
+    expect browser_open == 1
+    expect ui:Files/dome.ply == enabled
+    screenshot PICTURES/open.png
+    click Files/dome.ply
+    click Files/accept
+    wait_loaded 20
+    expect browser_open == 0
+    expect document == dome.ply
+    drop "FOLDER/dome.ply"
+    wait_loaded 20
+    expect messages == 0
+  )",
+                            (folder_ / "dome.ply").string());
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, ABadFileIsExplainedAndLosesNothing) {
+  std::ofstream(folder_ / "bad.obj") << "v 0 0 0\nv 1 0 0\nv one two three\nf 1 2 3\n";
+  const Playback run = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    remember fingerprint before
+    drop "FOLDER/bad.obj"
+    wait_loaded 20
+    wait_frames 3
+    expect messages == 1
+    expect last_message contains "bad.obj:3"
+    expect document == dome
+    expect fingerprint == $before
+    screenshot PICTURES/bad_file.png
+    click "Message/close 1"
+    wait_frames 3
+    expect messages == 0
+    open "FOLDER/not there.obj"
+    wait_loaded 20
+    expect last_message contains "not there.obj"
+    expect fingerprint == $before
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, ColourMapsGhostAndThemes) {
+  const Playback run = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    key C
+    wait_frames 3
+    expect colours == planarity
+    expect range > 0
+    screenshot PICTURES/planarity.png
+    key C
+    wait_frames 3
+    expect colours == displacement
+    screenshot PICTURES/displacement.png
+    key C
+    wait_frames 3
+    expect colours == none
+    click "Toolbar/colours Displacement"
+    wait_frames 2
+    expect colours == displacement
+    expect ghost == 1
+    key G
+    wait_frames 2
+    expect ghost == 0
+    click Menu/View
+    wait_frames 3
+    screenshot PICTURES/menu.png
+    click "Menu/View/dark theme"
+    wait_frames 3
+    expect dark == 1
+    screenshot PICTURES/dark.png
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, SlidersTypeResetAndTurn) {
+  const Playback run = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    ctrl_click "Design/weight fairing"
+    wait_frames 3
+    type "0.25"
+    key Enter
+    wait_frames 3
+    expect weight.fairing == 0.25
+    wheel "Design/weight fairing" 3
+    expect weight.fairing > 0.4
+    expect weight.fairing < 0.6
+    double_click "Design/weight fairing"
+    wait_frames 2
+    expect weight.fairing == 0
+    drag "Design/weight position" 0
+    expect weight.position == 0
+    key Ctrl+Z
+    wait_frames 2
+    expect weight.position == 1
+    click "Design/weight fairing number"
+    wait_frames 3
+    type "-4"
+    key Enter
+    wait_frames 3
+    expect weight.fairing == 0      # no negative weights
+    drag_by Design/offset 30 0
+    expect offset > 0
+    ctrl_click Design/offset
+    wait_frames 3
+    type "-0.5"
+    key Enter
+    wait_frames 3
+    expect offset == -0.5
+    double_click Design/offset
+    wait_frames 2
+    expect offset == 0
+    wait_solved 100
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, ModesKeysAndPlanarizeCannotFlip) {
+  const Playback run = play(R"(
+    sample twisted-roof 100
+    wait_loaded 20
+    wait_solved 100
+    expect mode == planarize
+    expect planarity_relative <= 1e-9
+    remember revision before
+    click_model 0.5 0.5
+    wait_frames 2
+    expect revision == $before          # quads do not flip
+    screenshot PICTURES/planarize.png
+    key 1
+    wait_frames 2
+    expect mode == dual
+    wait_solved 100
+    key 2
+    wait_frames 2
+    expect mode == planarize
+    expect undo contains "Mode"
+    key ?
+    wait_frames 4
+    expect ui:Keys/close == enabled
+    screenshot PICTURES/keys.png
+    key Escape
+    wait_frames 4
+    expect ui:Keys/close == absent
+    key F1
+    wait_frames 4
+    click Keys/close
+    click "Findings/tab Report"
+    wait_solved 100
+    wait_frames 3
+    screenshot PICTURES/report.png
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, TheCameraFollowsTheMouse) {
+  const Playback run = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    key Home
+    wait_frames 2
+    remember camera at_first
+    remember revision before
+    orbit 150 40
+    expect camera != $at_first
+    remember camera orbited
+    pan 60 -30
+    expect camera != $orbited
+    remember camera panned
+    zoom 4
+    expect camera != $panned
+    expect revision == $before          # none of it was taken for a click on an edge
+    key Home
+    wait_frames 2
+    expect camera == $at_first
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, RemembersItsSettings) {
+  ASSERT_EQ(
+      play("wait_loaded 20\nkey D\nclick Hint/close\nclick Menu/View\nwait_frames 3\nhover Menu/View/Unit\n"
+           "wait_frames 3\nclick Menu/View/Unit/mm\nwait_frames 2\nexpect unit == mm\n")
+          .status,
+      0);
+  const Playback run = play(
+      "wait_loaded 20\nwait_frames 3\nexpect dark == 1\nexpect unit == mm\nexpect ui:Hint/close == absent\n");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, AFailingExpectationFailsTheRun) {
+  const Playback run = play("wait_loaded 20\nexpect document == palace\n");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.output.find("script.txt:2"), std::string::npos) << run.output;
+  EXPECT_EQ(play("click \"Design/no such thing\"\n").status, 1);
+  EXPECT_EQ(play("dance\n").status, 2);
+}
+
+}  // namespace
+}  // namespace planewright
