@@ -87,6 +87,7 @@ void draw_keys_card(Desk& desk) {
     key_row(ui, "double click", "reset");
     key_row(ui, "ctrl click", "type the number");
     ImGui::EndGroup();
+    ui.gap(14);
   }
   end_card();
 }
@@ -195,8 +196,11 @@ void draw_messages(Desk& desk, const Rect& viewport) {
       const Ui::Scope scope(ui, "Message");
       const ImVec2 min = ImGui::GetWindowPos();
       const ImVec2 max(min.x + ImGui::GetWindowWidth(), min.y + ImGui::GetWindowHeight());
-      ImGui::GetWindowDrawList()->AddRectFilled(min, ImVec2(min.x + ui.px(4), max.y), colour, ui.px(3),
-                                                ImDrawFlags_RoundCornersLeft);
+      ImDrawList& draw = *ImGui::GetWindowDrawList();
+      draw.PushClipRect(min, max);
+      draw.AddRectFilled(min, ImVec2(min.x + ui.px(4), max.y), colour, ui.px(3),
+                         ImDrawFlags_RoundCornersLeft);
+      draw.PopClipRect();
       const char* icon = ui.theme().icon(error ? Icon::Error : warning ? Icon::Warning : Icon::Done);
       if (*icon != '\0') {
         ui.text(icon, colour);
@@ -207,7 +211,12 @@ void draw_messages(Desk& desk, const Rect& viewport) {
       ImGui::PushFont(ui.theme().bold());
       ui.text(message.what + (message.what.ends_with('.') ? "" : "."));
       ImGui::PopFont();
-      if (!message.where.empty()) ui.small_text(message.where);
+      if (!message.where.empty()) {
+        // Of a long path its end says most.
+        const float room = ImGui::GetWindowWidth() - ImGui::GetCursorPosX() - ui.px(50);
+        ui.small_text(elided_left(ui.theme().small(), message.where, room));
+        ui.tooltip_if_hovered(message.where);
+      }
       if (!message.remedy.empty()) ui.text(message.remedy, p.ink_soft);
       ImGui::PopTextWrapPos();
       ImGui::EndGroup();

@@ -254,7 +254,7 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
     const Ui::Scope scope(ui, "Files");
     draw_places(ui);
     const float frame = ImGui::GetFrameHeightWithSpacing();
-    const float below = 2 * frame + ImGui::GetTextLineHeightWithSpacing() + ui.px(14);
+    const float below = frame + std::max(frame, ImGui::GetTextLineHeightWithSpacing()) + ui.px(2);
     bool wants = draw_entries(ui, std::max(ImGui::GetContentRegionAvail().y - below, ui.px(60)));
 
     if (overwrite_) {

@@ -56,7 +56,9 @@ class TestDriver {
 
   // Nothing to feed in: a wait for a worker may sleep a little, so that the worker has the machine.
   bool idle() const { return inputs_.empty() && waiting_.has_value(); }
-  bool done() const { return failure_ || (next_ >= script_.commands.size() && inputs_.empty() && !waiting_); }
+  bool done() const {
+    return failure_ || (next_ >= script_.commands.size() && inputs_.empty() && !waiting_ && !screenshot_);
+  }
   // "script.txt:12: expected ..., found ..."; nothing as long as all is well.
   const std::optional<std::string>& failure() const { return failure_; }
   // A picture of the window to take before the buffers are swapped.

@@ -59,6 +59,16 @@ std::string elided(ImFont* font, std::string_view text, float width) {
   return shorter + "…";
 }
 
+std::string elided_left(ImFont* font, std::string_view text, float width) {
+  if (text_size(font, text).x <= width) return std::string(text);
+  while (!text.empty()) {
+    text.remove_prefix(1);
+    while (!text.empty() && (static_cast<unsigned char>(text.front()) & 0xC0) == 0x80) text.remove_prefix(1);
+    if (text_size(font, "…" + std::string(text)).x <= width) break;
+  }
+  return "…" + std::string(text);
+}
+
 // --- Frames and records
 // ----------------------------------------------------------------------------------------
 

@@ -136,5 +136,7 @@ void draw_text_aligned(ImDrawList& draw, ImFont* font, ImVec2 min, ImVec2 max, f
                        std::string_view text);
 // The text shortened with … to fit.
 std::string elided(ImFont* font, std::string_view text, float width);
+// Likewise, but its end stays.
+std::string elided_left(ImFont* font, std::string_view text, float width);
 
 }  // namespace planewright::ui
