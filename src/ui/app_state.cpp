@@ -1,12 +1,12 @@
 #include "ui/app_state.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
 #include "core/problem/energies.h"
+#include "ui/format.h"
 
 namespace planewright::ui {
 namespace {
@@ -63,8 +63,7 @@ const char* name(ColourMap map) {
 AppState::AppState(std::function<void()> wake) : wake_(std::move(wake)), preparer_(wake_), session_(wake_) {}
 AppState::~AppState() = default;
 
-// --- Files
-// -----------------------------------------------------------------------------------------------------
+// --- Files -----------------------------------------------------------------------------------
 
 void AppState::open_file(const std::filesystem::path& path) {
   begin_load(path.filename().string(), [path]() -> Result<Loaded> {
@@ -153,8 +152,7 @@ void AppState::export_panels(const std::filesystem::path& path) {
       wake_);
 }
 
-// --- Edits
-// -----------------------------------------------------------------------------------------------------
+// --- Edits -----------------------------------------------------------------------------------
 
 void AppState::change_settings(DesignSettings settings, std::string what, std::string merge_key) {
   if (document_.empty()) return;
@@ -217,8 +215,7 @@ void AppState::refresh_mesh_view() {
   mesh_view_ = std::move(mesh);
 }
 
-// --- Solving
-// ---------------------------------------------------------------------------------------------------
+// --- Solving ---------------------------------------------------------------------------------
 
 void AppState::solve(Start start) {
   if (document_.empty()) return;
@@ -381,8 +378,7 @@ bool AppState::view_range_locked() const {
   return view_options.lock_range && planarity_range_ > 0;
 }
 
-// --- What is shown
-// ---------------------------------------------------------------------------------------------
+// --- What is shown ---------------------------------------------------------------------------
 
 bool AppState::settled() const {
   if (loading() || load_next_ || solve_wanted_ || session_.running()) return false;
@@ -415,11 +411,10 @@ double AppState::planarity_tolerance() const {
   return shown_ ? kPlanarityTolerance * shown_->complex().mean_edge : 0.0;
 }
 
-// --- Messages
-// --------------------------------------------------------------------------------------------------
+// --- Messages --------------------------------------------------------------------------------
 
 void AppState::post(Message::Kind kind, std::string what, std::string where, std::string remedy) {
-  if (!what.empty()) what[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(what[0])));
+  what = capitalised(std::move(what));
   // The same message again replaces the old one instead of piling up.
   std::erase_if(messages_, [&](const Message& m) { return m.what == what && m.where == where; });
   messages_.push_back(

@@ -160,9 +160,10 @@ void draw_about_card(Desk& desk) {
 void draw_hint(Desk& desk, const Rect& viewport) {
   if (!desk.window.settings.show_hint || desk.state.document().empty()) return;
   Ui& ui = desk.ui;
-  const float width = std::min(ui.px(390), viewport.width() - ui.px(24));
+  const float width = std::min(ui.px(310), viewport.width() - ui.px(24));
   if (width < ui.px(200)) return;
-  if (begin_card(ui, "##hint", ImVec2(viewport.max.x - ui.px(12), viewport.min.y + ui.px(12)), ImVec2(1, 0),
+  // Under the badge, where a model seldom is.
+  if (begin_card(ui, "##hint", ImVec2(viewport.min.x + ui.px(12), viewport.min.y + ui.px(48)), ImVec2(0, 0),
                  width)) {
     const Ui::Scope scope(ui, "Hint");
     ui.heading("What to try");
@@ -174,7 +175,7 @@ void draw_hint(Desk& desk, const Rect& viewport) {
     };
     line("1", "Drag the weight of Fairing on the left: the panels follow while the solver runs.");
     line("2", "Click a blue edge of the input: it flips, and the panels are solved again.");
-    line("3", "Drop your own mesh on the window (.obj .off .ply .stl).");
+    line("3", "Drop your own mesh on the window: OBJ, OFF, PLY or STL.");
   }
   end_card();
 }

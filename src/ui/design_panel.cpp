@@ -128,9 +128,7 @@ void draw_solve(Desk& desk) {
     ui.value_row("Step", format_count(history.back().number));
     ui.value_row("Time", format_duration(history.back().seconds));
   } else if (report != nullptr) {
-    std::string solver = report->solver;
-    if (!solver.empty()) solver[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(solver[0])));
-    ui.value_row("Solver", solver);
+    ui.value_row("Solver", capitalised(report->solver));
     ui.value_row("Result", name(report->status),
                  report->status == SolveStatus::Converged ? ui.colours().good : ui.colours().warning,
                  report->stop_reason);
@@ -162,7 +160,7 @@ void draw_design_panel(Desk& desk, const Rect& place) {
       ui.wrapped("Opening " + state.loading_name() + " …");
     } else {
       ui.heading("No design yet");
-      ui.wrapped("Drop a mesh on the window, or open one: .obj .off .ply .stl");
+      ui.wrapped("Drop a mesh on the window, or open one: OBJ, OFF, PLY or STL.");
       ui.gap(6);
       ButtonLook look;
       look.primary = true;

@@ -71,6 +71,11 @@ std::string format_duration(double seconds) {
   return std::to_string(whole / 60) + " min " + (rest < 10 ? "0" : "") + std::to_string(rest) + " s";
 }
 
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
 std::string format_bytes(std::uintmax_t bytes) {
   if (bytes < 1000) return std::to_string(bytes) + " B";
   const double kilo = static_cast<double>(bytes) / 1000.0;

@@ -19,6 +19,8 @@ std::string format_count(std::int64_t count);
 std::string format_count(std::int64_t count, std::string_view singular, std::string_view plural);
 // "340 ms", "1.2 s", "2 min 05 s"
 std::string format_duration(double seconds);
+// The text with its first letter upper case (ASCII).
+std::string capitalised(std::string text);
 // "12 KB"
 std::string format_bytes(std::uintmax_t bytes);
 

@@ -55,7 +55,7 @@ void draw_solve_report(Desk& desk) {
                report->status == SolveStatus::Converged ? ui.colours().good : ui.colours().warning);
   if (!report->stop_reason.empty()) ui.wrapped(report->stop_reason, 0, true);
   ui.gap(4);
-  ui.value_row("Solver", report->solver);
+  ui.value_row("Solver", capitalised(report->solver));
   ui.value_row("Steps", format_count(report->iterations));
   ui.value_row("Time", format_duration(report->seconds));
   ui.value_row("First-order residual", format_number(report->first_order_residual), 0,
@@ -63,7 +63,7 @@ void draw_solve_report(Desk& desk) {
   ui.value_row("Incidence residual", format_with_unit(report->incidence_residual, "edges"), 0,
                "Largest distance of a corner from one of its planes, in mean edges");
   for (const SolveReport::Constraint& constraint : report->constraints) {
-    ui.value_row(constraint.name, format_number(constraint.max_violation),
+    ui.value_row(capitalised(constraint.name), format_number(constraint.max_violation),
                  constraint.violated > 0 ? ui.colours().warning : 0,
                  format_count(constraint.violated, "row", "rows") + " beyond the tolerance");
   }

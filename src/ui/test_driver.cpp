@@ -227,8 +227,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   return std::nullopt;
 }
 
-// --- Input
-// -----------------------------------------------------------------------------------------------------
+// --- Input -----------------------------------------------------------------------------------
 
 void TestDriver::push(Input input, int frames) {
   inputs_.push_back(std::move(input));
@@ -301,8 +300,7 @@ void TestDriver::inject(ImGuiIO& io) {
   io.MouseDoubleClickTime = double_clicks_ ? 10.0f : 0.0f;
 }
 
-// --- Commands
-// --------------------------------------------------------------------------------------------------
+// --- Commands --------------------------------------------------------------------------------
 
 void TestDriver::fail_with(const std::string& what) {
   if (!failure_) failure_ = script_.name + ":" + std::to_string(line_) + ": " + what;
@@ -558,8 +556,7 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
   }
 }
 
-// --- Dump
-// ------------------------------------------------------------------------------------------------------
+// --- Dump ------------------------------------------------------------------------------------
 
 void UiDump::print_controls(std::ostream& out, const DriverContext& c) {
   out << "controls begin\n";

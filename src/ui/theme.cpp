@@ -2,6 +2,7 @@
 
 #include <imgui_freetype.h>
 
+#include <cmath>
 #include <optional>
 
 #include "ui/render/font_file.h"
@@ -187,9 +188,10 @@ void Theme::load_fonts() {
     }
     return font;
   };
-  regular_ = add(text, px(15.5f));
-  bold_ = add(heading ? heading : text, px(15.5f));
-  small_ = add(text, px(13.5f));
+  // Whole pixels: else every second line of a paragraph would be blurred.
+  regular_ = add(text, std::round(px(15.5f)));
+  bold_ = add(heading ? heading : text, std::round(px(15.5f)));
+  small_ = add(text, std::round(px(13.6f)));
   ImGui::GetIO().FontDefault = regular_;
 }
 

@@ -192,8 +192,7 @@ bool Viewport::take_redrawn() {
   return std::exchange(impl_->redrawn, false);
 }
 
-// --- Upload
-// ----------------------------------------------------------------------------------------------------
+// --- Upload ----------------------------------------------------------------------------------
 
 void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
   Impl& v = *impl_;
@@ -308,8 +307,7 @@ void Viewport::Impl::upload_marks(const AppState& state) {
   dirty = true;
 }
 
-// --- Camera
-// ----------------------------------------------------------------------------------------------------
+// --- Camera ----------------------------------------------------------------------------------
 
 void Viewport::fit(const AppState& state) {
   if (!state.mesh_view()) return;
@@ -358,8 +356,7 @@ std::optional<ImVec2> Viewport::clickable_place_of_edge(const AppState& state, i
   return hit && *hit == edge ? std::optional(whole) : std::nullopt;
 }
 
-// --- The frame
-// -------------------------------------------------------------------------------------------------
+// --- The frame -------------------------------------------------------------------------------
 
 void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::string& unit) {
   Impl& v = *impl_;
@@ -528,8 +525,7 @@ void Viewport::Impl::picture(Ui& ui, AppState& state) {
   if (!coarse) full_ms = watch.milliseconds();
 }
 
-// --- Overlays
-// --------------------------------------------------------------------------------------------------
+// --- Overlays --------------------------------------------------------------------------------
 
 void Viewport::Impl::overlays(Ui& ui, const AppState& state, const std::string& unit) const {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
@@ -559,14 +555,10 @@ void Viewport::Impl::draw_badge(Ui& ui, const AppState& state, const std::string
   } else if (const SolveReport* report = state.report()) {
     const bool good = report->status == SolveStatus::Converged;
     dot = good ? p.good : p.warning;
-    std::string status = planewright::name(report->status);
-    if (!status.empty()) status[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(status[0])));
-    add(status);
+    add(capitalised(planewright::name(report->status)));
   }
   if (const SolveReport* report = state.report(); report != nullptr && !state.solving()) {
-    std::string solver = report->solver;
-    if (!solver.empty()) solver[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(solver[0])));
-    if (!solver.empty()) add(solver);
+    if (!report->solver.empty()) add(capitalised(report->solver));
   }
   if (shown) {
     const double off = shown->planarity.max;
@@ -603,26 +595,32 @@ void Viewport::Impl::draw_legend(Ui& ui, ImDrawList& draw) const {
       colours == ColourMap::Planarity ? "corner to plane of its panel" : "point to wanted place";
   draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 1.0f, p.ink_faint, what);
   y += font->FontSize + ui.px(4);
+  // With a tolerance the bar has two stretches: what keeps it, and what misses it; like the map itself.
+  constexpr double kKept = 0.34;
+  const double span = scale->high - scale->low;
+  const auto value_at = [&](double t) {
+    if (!scale->tolerance) return scale->low + span * t;
+    const double tolerance = *scale->tolerance;
+    return t < kKept ? scale->low + (tolerance - scale->low) * t / kKept
+                     : tolerance + (scale->high - tolerance) * (t - kKept) / (1 - kKept);
+  };
   constexpr int kBands = 130;
   for (int i = 0; i < kBands; ++i) {
     const float a = x0 + (x1 - x0) * static_cast<float>(i) / kBands;
     const float b = x0 + (x1 - x0) * static_cast<float>(i + 1) / kBands;
-    const double value = scale->low + (scale->high - scale->low) * (i + 0.5) / kBands;
-    draw.AddRectFilled(ImVec2(a, y), ImVec2(b, y + bar), to_colour(render::colour_of(*scale, value)));
+    draw.AddRectFilled(ImVec2(a, y), ImVec2(b, y + bar),
+                       to_colour(render::colour_of(*scale, value_at((i + 0.5) / kBands))));
   }
   y += bar + ui.px(4);
   const ImVec2 low(x0, y), high(x1, y + font->FontSize);
   draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, format_number(scale->low));
   draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, format_with_unit(scale->high, scale->unit));
-  const double middle = scale->tolerance ? *scale->tolerance : 0.5 * (scale->low + scale->high);
-  const float t = static_cast<float>((middle - scale->low) / (scale->high - scale->low));
-  const float x = x0 + t * (x1 - x0);
-  const std::string label = (scale->tolerance ? "≤ " : "") + format_number(middle);
+  const double middle = scale->tolerance ? kKept : 0.5;
+  const float x = x0 + static_cast<float>(middle) * (x1 - x0);
+  const std::string label = (scale->tolerance ? "planar ≤ " : "") + format_number(value_at(middle));
   const float half = 0.5f * font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, label.c_str()).x;
-  if (x - half > x0 + ui.px(14) && x + half < x1 - ui.px(56)) {
-    draw.AddLine(ImVec2(x, y - bar - ui.px(6)), ImVec2(x, y - ui.px(2)), p.ink_soft);
-    draw_text_aligned(draw, font, ImVec2(x - half, low.y), ImVec2(x + half, high.y), 0.5f, p.ink_soft, label);
-  }
+  draw.AddLine(ImVec2(x, y - bar - ui.px(6)), ImVec2(x, y - ui.px(2)), p.ink_soft);
+  draw_text_aligned(draw, font, ImVec2(x - half, low.y), ImVec2(x + half, high.y), 0.5f, p.ink_soft, label);
 }
 
 void Viewport::Impl::draw_axes(Ui& ui, ImDrawList& draw) const {

@@ -69,8 +69,7 @@ std::string elided_left(ImFont* font, std::string_view text, float width) {
   return "…" + std::string(text);
 }
 
-// --- Frames and records
-// ----------------------------------------------------------------------------------------
+// --- Frames and records ----------------------------------------------------------------------
 
 void Ui::begin_frame(int frame) {
   frame_ = frame;
@@ -99,8 +98,7 @@ void Ui::record_item(std::string_view name, bool enabled) {
   record(name, ImGui::GetItemRectMin(), ImGui::GetItemRectMax(), enabled);
 }
 
-// --- Controls
-// --------------------------------------------------------------------------------------------------
+// --- Controls --------------------------------------------------------------------------------
 
 bool Ui::button(std::string_view name, std::string_view label, const ButtonLook& look) {
   const std::string icon = look.has_icon ? theme_.icon(look.icon) : "";
@@ -530,8 +528,7 @@ bool Ui::selectable(std::string_view name, std::string_view label, bool selected
   return pressed;
 }
 
-// --- Texts
-// -----------------------------------------------------------------------------------------------------
+// --- Texts -----------------------------------------------------------------------------------
 
 void Ui::text(std::string_view text, ImU32 colour) {
   ImGui::PushStyleColor(ImGuiCol_Text, colour == 0 ? colours().ink : colour);
