@@ -1,5 +1,5 @@
-// Builder `planarize` ([Z] section 4.1): one plane per face (anchor: centroid, normal: Newell vector), one point
-// per vertex, wanted where the vertex is. The panels are the mesh's own faces, of any valence.
+// Builder `planarize` ([Z] section 4.1): one plane per face (anchor: centroid, normal: Newell vector), one
+// point per vertex, wanted where the vertex is. The panels are the mesh's own faces, of any valence.
 #pragma once
 
 #include "core/base/result.h"

@@ -16,12 +16,13 @@ struct State {
 // The state at which a solve starts when nothing better is known: x = f, n and h as the builder set them.
 State initial_state(const TangentComplex& complex);
 
-// A start for `to` from a state of `from`: planes and points with the same origin are taken over; points whose
-// planes changed (an edge was flipped) start where `to` prefers them. Works for any two complexes of one mesh.
+// A start for `to` from a state of `from`: planes and points with the same origin are taken over; points
+// whose planes changed (an edge was flipped) start where `to` prefers them. Works for any two complexes of
+// one mesh.
 State transfer(const TangentComplex& from, const State& state, const TangentComplex& to);
 
-// n_i . (x_j - v_i) - h_i for each incidence, points in order, each point's planes ascending (#incidences), model
-// units: how far each point is from each of its planes.
+// n_i . (x_j - v_i) - h_i for each incidence, points in order, each point's planes ascending (#incidences),
+// model units: how far each point is from each of its planes.
 Vector incidence_residuals(const TangentComplex& complex, const State& state);
 
 struct Panels {

@@ -1,4 +1,5 @@
-// TangentComplex: planes, points, and which point lies on which plane. The one structure behind all applications
+// TangentComplex: planes, points, and which point lies on which plane. The one structure behind all
+// applications
 // ([Zimmer et al.], sections 2 and 4); only the builder differs (dual.h, planarize.h).
 //
 //   plane i: { x : n_i . (x - v_i) = h_i }, anchor v_i, unit normal n_i, signed offset h_i along n_i
@@ -45,12 +46,12 @@ struct TangentComplex {
   ComplexKind kind = ComplexKind::Dual;
   Vector3d origin = Vector3d::Zero();  // model coordinates of the local 0
 
-  Points anchors;  // #P x 3, v_i
-  Points normals;  // #P x 3, unit, at the start
-  Vector offsets;  // #P, h_i at the start
+  Points anchors;                 // #P x 3, v_i
+  Points normals;                 // #P x 3, unit, at the start
+  Vector offsets;                 // #P, h_i at the start
   std::vector<int> plane_origin;  // #P: dual: primal vertex; planarize: face
 
-  Points preferred;  // #X x 3, f_j
+  Points preferred;                       // #X x 3, f_j
   std::vector<PointOrigin> point_origin;  // #X
 
   Polygons panels;           // #P lists of points
@@ -65,8 +66,8 @@ struct TangentComplex {
   int point_count() const { return static_cast<int>(preferred.rows()); }
   int incidence_count() const { return static_cast<int>(planes_of_point.indices().size()); }
 
-  // Neighbours of each point along panel edges, ascending (#X lists). For a border point of the outline only its
-  // neighbours along the border, so that fairing does not pull an outline inwards.
+  // Neighbours of each point along panel edges, ascending (#X lists). For a border point of the outline only
+  // its neighbours along the border, so that fairing does not pull an outline inwards.
   Polygons fairing_neighbours() const;
 };
 
