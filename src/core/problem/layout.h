@@ -1,7 +1,7 @@
 // Layout: where each unknown of a complex stands in the solver's vector z, and which of them are free.
 //
-// z = (x_0, ..., x_X-1, n_0, ..., n_P-1, h_0, ..., h_P-1): 3X + 4P numbers, 0-based. Normalised units: lengths in
-// mean edges, centroid of the wanted points at 0.
+// z = (x_0, ..., x_X-1, n_0, ..., n_P-1, h_0, ..., h_P-1): 3X + 4P numbers, 0-based. Normalised units:
+// lengths in mean edges, centroid of the wanted points at 0.
 #pragma once
 
 namespace planewright {
