@@ -5,15 +5,16 @@
 
 namespace planewright {
 
-// Scalars of one iteration. Lengths in mean edges (see TangentComplex::mean_edge), energies in weighted units.
+// Scalars of one iteration. Lengths in mean edges (see TangentComplex::mean_edge), energies in weighted
+// units.
 struct Iteration {
   int number = 0;
-  double objective = 0.0;        // sum of the weighted energies
-  double infeasibility = 0.0;    // largest constraint violation
-  double first_order = 0.0;      // inf-norm of the Lagrangian's gradient
-  double step = 0.0;             // inf-norm of the last step
-  double seconds = 0.0;          // wall time since the solve began
-  bool restoration = false;      // the solver left the objective aside to find feasibility
+  double objective = 0.0;      // sum of the weighted energies
+  double infeasibility = 0.0;  // largest constraint violation
+  double first_order = 0.0;    // inf-norm of the Lagrangian's gradient
+  double step = 0.0;           // inf-norm of the last step
+  double seconds = 0.0;        // wall time since the solve began
+  bool restoration = false;    // the solver left the objective aside to find feasibility
 };
 
 // Called on the solving thread, once per iteration. Must be quick and must not throw.

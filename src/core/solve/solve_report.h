@@ -10,12 +10,12 @@
 namespace planewright {
 
 enum class SolveStatus {
-  Converged,      // feasible and first-order stationary to the tolerances
-  Planar,         // the panels are planar, but the energy was still moving: stopped by a limit or a stall
-  Stopped,        // by the user; the best state so far is kept
-  NotPlanar,      // no planar state was reached
-  Infeasible,     // the demands contradict each other (locally)
-  Failed,         // numerical breakdown, out of memory; see stop_reason
+  Converged,   // feasible and first-order stationary to the tolerances
+  Planar,      // the panels are planar, but the energy was still moving: stopped by a limit or a stall
+  Stopped,     // by the user; the best state so far is kept
+  NotPlanar,   // no planar state was reached
+  Infeasible,  // the demands contradict each other (locally)
+  Failed,      // numerical breakdown, out of memory; see stop_reason
 };
 const char* name(SolveStatus status);  // "converged", "planar, not converged", ...
 
@@ -24,11 +24,12 @@ struct SolveReport {
   std::string stop_reason;  // one sentence
   std::string solver;       // "ipopt"
   int iterations = 0;
-  double seconds = 0.0;     // wall
+  double seconds = 0.0;  // wall
   // After the final projection, at the reported state:
-  double first_order_residual = 0.0;  // inf-norm of the Lagrangian's gradient, weights as given, lengths in mean edges
-  double incidence_residual = 0.0;    // largest |n.(x - v) - h|, mean edges
-  double projection_move = 0.0;       // farthest that the projection moved a point, mean edges
+  double first_order_residual =
+      0.0;  // inf-norm of the Lagrangian's gradient, weights as given, lengths in mean edges
+  double incidence_residual = 0.0;  // largest |n.(x - v) - h|, mean edges
+  double projection_move = 0.0;     // farthest that the projection moved a point, mean edges
   struct Energy {
     std::string name;
     double weight, value;  // value: weighted contribution to the objective
@@ -40,8 +41,8 @@ struct SolveReport {
     int violated;          // rows beyond the tolerance
   };
   std::vector<Constraint> constraints;
-  State state;        // model units, like every State
-  Vector multipliers; // of the problem's constraint rows (normalised units), for warm starts; may be empty
+  State state;         // model units, like every State
+  Vector multipliers;  // of the problem's constraint rows (normalised units), for warm starts; may be empty
 };
 
 }  // namespace planewright

@@ -1,12 +1,12 @@
 // SolveSession: solves on one worker thread while the window, or the command line, goes on.
 //
-// A caller starts a request and gets a ticket; every later request supersedes the one before (its solve is asked to
-// stop and whatever it still produces is dropped). Complex and problem are built on the worker too, so that start()
-// returns at once. The newest iterate waits in a mailbox that holds one; scalars queue up, none is lost.
-// Iterates of an earlier ticket are never handed out.
+// A caller starts a request and gets a ticket; every later request supersedes the one before (its solve is
+// asked to stop and whatever it still produces is dropped). Complex and problem are built on the worker too,
+// so that start() returns at once. The newest iterate waits in a mailbox that holds one; scalars queue up,
+// none is lost. Iterates of an earlier ticket are never handed out.
 //
-// Threads: all public members may be called from one controlling thread (the window's). None of them waits for a
-// solver: the only lock is held for moving pointers, never across an evaluation, a copy of a state or a
+// Threads: all public members may be called from one controlling thread (the window's). None of them waits
+// for a solver: the only lock is held for moving pointers, never across an evaluation, a copy of a state or a
 // factorisation. The destructor asks the worker to stop and joins it (at most one factorisation).
 #pragma once
 
@@ -35,7 +35,8 @@ struct Iterate {
 struct SolveRequest {
   std::shared_ptr<const PolygonMesh> mesh;
   DesignSettings settings;
-  // Where to start: null for the builder's own start, else a state, transferred if its complex is another one.
+  // Where to start: null for the builder's own start, else a state, transferred if its complex is another
+  // one.
   std::shared_ptr<const Iterate> warm_start;
 };
 

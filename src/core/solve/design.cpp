@@ -1,0 +1,45 @@
+#include "core/solve/design.h"
+
+#include "core/complex/planarize.h"
+
+namespace planewright {
+
+Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& mesh,
+                                                            const DesignSettings& settings) {
+  const auto share = [](TangentComplex&& complex) {
+    return std::make_shared<const TangentComplex>(std::move(complex));
+  };
+  switch (settings.mode) {
+    case ComplexKind::Planarize:
+      return build_planarize(mesh, {settings.offset}).map(share);
+    case ComplexKind::Dual:
+      break;
+  }
+  return build_dual(mesh, {settings.offset, settings.border}).map(share);
+}
+
+bool same_complex(const DesignSettings& a, const DesignSettings& b) {
+  return a.mode == b.mode && a.offset == b.offset && a.border == b.border;
+}
+
+Result<std::shared_ptr<const Problem>> build_problem(std::shared_ptr<const TangentComplex> complex,
+                                                     const DesignSettings& settings) {
+  return Problem::create(std::move(complex), {settings.freedom, settings.weights});
+}
+
+State start_state(const TangentComplex& complex, const DesignSettings& settings,
+                  const TangentComplex* warm_complex, const State* warm) {
+  State state = warm && warm_complex ? transfer(*warm_complex, *warm, complex) : initial_state(complex);
+  if (settings.freedom == Freedom::Fixed) state.n = complex.normals;
+  if (settings.freedom != Freedom::NormalsAndOffsets) state.h = complex.offsets;
+  return state;
+}
+
+SolveOptions solve_options(const DesignSettings& settings) {
+  SolveOptions options;
+  options.max_iterations = settings.max_iterations;
+  options.tolerance = settings.tolerance;
+  return options;
+}
+
+}  // namespace planewright

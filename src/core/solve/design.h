@@ -1,0 +1,33 @@
+// The way from a mesh and a designer's settings to what a solver takes: the steps that the window's session,
+// the command line, tests and benchmarks share.
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.h"
+#include "core/mesh/polygon_mesh.h"
+#include "core/problem/problem.h"
+#include "core/solve/design_settings.h"
+#include "core/solve/solver.h"
+
+namespace planewright {
+
+// Builds the complex that settings.mode names. Fails as the builders do.
+Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& mesh,
+                                                            const DesignSettings& settings);
+
+// Whether both settings lead to the same complex for one mesh, so that it need not be built again.
+bool same_complex(const DesignSettings& a, const DesignSettings& b);
+
+// Fails as Problem::create does.
+Result<std::shared_ptr<const Problem>> build_problem(std::shared_ptr<const TangentComplex> complex,
+                                                     const DesignSettings& settings);
+
+// The builder's own start, or (warm not null) what another state of the same mesh gives for this complex.
+// Planes and offsets that the settings hold fixed are always the builder's.
+State start_state(const TangentComplex& complex, const DesignSettings& settings,
+                  const TangentComplex* warm_complex = nullptr, const State* warm = nullptr);
+
+SolveOptions solve_options(const DesignSettings& settings);
+
+}  // namespace planewright

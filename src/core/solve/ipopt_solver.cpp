@@ -1,0 +1,401 @@
+#include "core/solve/ipopt_solver.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <new>
+
+// Some of Ipopt 3.11's headers ask which C headers exist; every C++20 compiler has them.
+#ifndef HAVE_CSTDDEF
+#define HAVE_CSTDDEF 1
+#endif
+#include <IpIpoptApplication.hpp>
+#include <IpIpoptCalculatedQuantities.hpp>
+#include <IpIpoptData.hpp>
+#include <IpOrigIpoptNLP.hpp>
+#include <IpTNLP.hpp>
+#include <IpTNLPAdapter.hpp>
+
+#include "core/solve/finish_solve.h"
+#include "core/solve/mumps_gate.h"
+
+namespace planewright {
+namespace {
+
+using Ipopt::Index;
+using Ipopt::Number;
+using Clock = std::chrono::steady_clock;
+
+// An iterate worth keeping: z, the multipliers of the rows, and how good it is.
+struct Kept {
+  Vector z, multipliers;
+  double objective = std::numeric_limits<double>::infinity();
+  double infeasibility = std::numeric_limits<double>::infinity();
+};
+
+// Feasible enough for the projection to be a small correction; among such iterates the lower energy is
+// better.
+constexpr double kNearlyFeasible = 1e-4;
+// What the final projection easily takes to rounding; asking Ipopt for more gains nothing.
+constexpr double kFeasible = 1e-7;
+
+// Which Hessian a step uses: first that of the energies alone (Gauss-Newton in the constraints) with some
+// damping on the planes, then the exact one.
+//
+// Without the constraints' curvature the KKT system has the right inertia by itself: one factorisation a step
+// instead of two to five, large steps, and symmetric saddles are left quickly (10,000-panel torus: 40 % of
+// the energy at which exact steps alone end; train station: converges, where exact steps alone get lost in
+// restoration). The damping keeps turns of the planes moderate; it grows, because undamped Gauss-Newton steps
+// go round in circles in a few twisted places. Where this converges by itself it is left to; where the energy
+// is flat and the slope still does not shrink, the exact Hessian finishes, quadratically.
+class CurvatureSchedule {
+ public:
+  explicit CurvatureSchedule(int most) : most_(most) {}
+  bool exact() const { return exact_ || iteration_ >= most_; }
+  // In units of weight 1.
+  double plane_damping() const { return 0.1 * std::pow(1.3, std::max(0, iteration_ - kAtLeast)); }
+
+  void after(int iteration, double objective, double infeasibility, double first_order) {
+    const bool flat =
+        infeasibility <= kNearlyFeasible && std::abs(objective - objective_) <= kFlat * std::abs(objective);
+    flat_ = flat ? flat_ + 1 : 0;
+    const bool shrinking = first_order <= 0.5 * first_order_;
+    // Not too early: round a symmetric saddle the energy is flat for a few steps as well.
+    if (iteration >= kAtLeast && flat_ >= 3 && !shrinking) exact_ = true;
+    iteration_ = iteration;
+    objective_ = objective;
+    first_order_ = first_order;
+  }
+
+ private:
+  static constexpr double kFlat = 1e-4;
+  static constexpr int kAtLeast = 15;
+  int most_;
+  int iteration_ = 0;
+  int flat_ = 0;
+  double objective_ = std::numeric_limits<double>::infinity();
+  double first_order_ = std::numeric_limits<double>::infinity();
+  bool exact_ = false;
+};
+
+bool better(const Kept& a, const Kept& b) {
+  const bool a_near = a.infeasibility <= kNearlyFeasible, b_near = b.infeasibility <= kNearlyFeasible;
+  if (a_near != b_near) return a_near;
+  return a_near ? a.objective <= b.objective : a.infeasibility < b.infeasibility;
+}
+
+// Ipopt's view of a Problem.
+class Adapter final : public Ipopt::TNLP {
+ public:
+  Adapter(const Problem& problem, Vector start, const SolveOptions& options, const IpoptOverrides& overrides,
+          SolveObserver* observer, std::stop_token stop)
+      : problem_(problem),
+        start_(std::move(start)),
+        options_(options),
+        own_termination_(overrides.own_termination),
+        observer_(observer),
+        stop_(std::move(stop)),
+        begun_(Clock::now()),
+        no_multipliers_(Vector::Zero(problem.rows())),
+        gauss_newton_iterations_(overrides.gauss_newton_iterations),
+        curvature_(overrides.gauss_newton_iterations) {}
+
+  bool get_nlp_info(Index& n, Index& m, Index& jacobian_slots, Index& hessian_slots,
+                    IndexStyleEnum& style) override {
+    n = problem_.variables();
+    m = problem_.rows();
+    jacobian_slots = problem_.jacobian_pattern().size();
+    hessian_slots = problem_.hessian_pattern().size();
+    style = C_STYLE;
+    return true;
+  }
+
+  bool get_bounds_info(Index n, Number* low, Number* high, Index m, Number* row_low,
+                       Number* row_high) override {
+    for (Index v = 0; v < n; ++v) {
+      const bool free = problem_.layout().is_free(v);
+      low[v] = free ? -kUnbounded : start_[v];
+      high[v] = free ? kUnbounded : start_[v];
+    }
+    for (Index r = 0; r < m; ++r) {
+      row_low[r] = problem_.bounds(r).low;
+      row_high[r] = problem_.bounds(r).high;
+    }
+    return true;
+  }
+
+  bool get_starting_point(Index n, bool init_x, Number* x, bool, Number*, Number*, Index, bool,
+                          Number*) override {
+    if (init_x) std::copy(start_.data(), start_.data() + n, x);
+    return true;
+  }
+
+  bool eval_f(Index, const Number* z, bool, Number& value) override {
+    value = problem_.objective(z);
+    return std::isfinite(value);
+  }
+  bool eval_grad_f(Index n, const Number* z, bool, Number* out) override {
+    problem_.gradient(z, out);
+    return all_finite(out, n);
+  }
+  bool eval_g(Index, const Number* z, bool, Index m, Number* out) override {
+    problem_.constraint_values(z, out);
+    return all_finite(out, m);
+  }
+  bool eval_jac_g(Index, const Number* z, bool, Index, Index slots, Index* rows, Index* columns,
+                  Number* values) override {
+    if (!values) return copy_pattern(problem_.jacobian_pattern(), rows, columns);
+    problem_.jacobian_values(z, values);
+    return all_finite(values, slots);
+  }
+  bool eval_h(Index, const Number* z, bool, Number factor, Index, const Number* multipliers, bool,
+              Index slots, Index* rows, Index* columns, Number* values) override {
+    if (!values) return copy_pattern(problem_.hessian_pattern(), rows, columns);
+    problem_.hessian_values(z, factor, curvature_.exact() ? multipliers : no_multipliers_.data(), values);
+    if (!curvature_.exact()) damp_planes(values);
+    return all_finite(values, slots);
+  }
+
+  bool intermediate_callback(Ipopt::AlgorithmMode mode, Index number, Number objective, Number infeasibility,
+                             Number first_order, Number, Number step, Number, Number, Number, Index,
+                             const Ipopt::IpoptData* data,
+                             Ipopt::IpoptCalculatedQuantities* quantities) override {
+    Iteration iteration;
+    iteration.number = iterations_before_ + number;
+    iteration.objective = objective;
+    iteration.infeasibility = infeasibility;
+    iteration.first_order = first_order;
+    iteration.step = step;
+    iteration.seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
+    iteration.restoration = mode == Ipopt::RestorationPhaseMode;
+    iterations = iteration.number;
+    curvature_.after(number, objective, infeasibility, first_order);
+
+    Kept now;
+    const bool known = recover(data, quantities, now);
+    if (known) {
+      now.objective = objective;
+      now.infeasibility = infeasibility;
+      if (better(now, best)) best = now;
+    }
+    if (observer_) {
+      if (known) {
+        const State state = problem_.to_state({now.z.data(), static_cast<size_t>(now.z.size())});
+        observer_->on_iteration(iteration, &state);
+      } else {
+        observer_->on_iteration(iteration, nullptr);
+      }
+    }
+    if (own_termination_ && known && infeasibility <= kFeasible && first_order <= options_.tolerance) {
+      best = now;
+      converged = true;
+      return false;
+    }
+    return !stop_.stop_requested();
+  }
+
+  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* z, const Number*, const Number*, Index m,
+                         const Number* c, const Number* multipliers, Number objective,
+                         const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
+    if (converged) return;
+    // Covers what the callback did not see: a problem solved at its start, a last iterate after restoration.
+    Kept last;
+    last.z = Eigen::Map<const Vector>(z, n);
+    last.multipliers = Eigen::Map<const Vector>(multipliers, m);
+    last.objective = objective;
+    last.infeasibility = 0.0;
+    for (Index r = 0; r < m; ++r)
+      last.infeasibility =
+          std::max({last.infeasibility, problem_.bounds(r).low - c[r], c[r] - problem_.bounds(r).high});
+    if (last.z.allFinite() && better(last, best)) best = last;
+  }
+
+  // Ready for another solve from the best state so far; iterations go on counting.
+  void restart() {
+    start_ = best.z;
+    iterations_before_ = iterations;
+    curvature_ = CurvatureSchedule(gauss_newton_iterations_);
+  }
+
+  Kept best;
+  int iterations = 0;
+  bool converged = false;  // by our own test
+
+ private:
+  static bool all_finite(const Number* values, Index count) {
+    return std::all_of(values, values + count, [](Number v) { return std::isfinite(v); });
+  }
+  static bool copy_pattern(const SparsePattern& pattern, Index* rows, Index* columns) {
+    std::copy(pattern.rows.begin(), pattern.rows.end(), rows);
+    std::copy(pattern.columns.begin(), pattern.columns.end(), columns);
+    return true;
+  }
+
+  // Gauss-Newton steps leave the planes' own unknowns without curvature; a little keeps their turns moderate
+  // (measured: the train station converges in 116 iterations with it, not at all in 500 without).
+  void damp_planes(Number* hessian) const {
+    const auto& diagonal = problem_.hessian_diagonal();
+    const double damping = curvature_.plane_damping();
+    for (int v = problem_.layout().n(0); v < problem_.variables(); ++v) hessian[diagonal[v]] += damping;
+  }
+
+  // The current iterate in our order. Ipopt 3.14 has get_curr_iterate(); the way round over the adapter works
+  // in 3.11 too. In the restoration phase the NLP is another one, the cast gives null, and nothing is known.
+  bool recover(const Ipopt::IpoptData* data, Ipopt::IpoptCalculatedQuantities* quantities, Kept& kept) const {
+    if (!data || !quantities || !Ipopt::IsValid(data->curr())) return false;
+    auto* original = dynamic_cast<Ipopt::OrigIpoptNLP*>(Ipopt::GetRawPtr(quantities->GetIpoptNLP()));
+    if (!original) return false;
+    auto* adapter = dynamic_cast<Ipopt::TNLPAdapter*>(Ipopt::GetRawPtr(original->nlp()));
+    if (!adapter) return false;
+    kept.z.resize(problem_.variables());
+    kept.multipliers.resize(problem_.rows());
+    adapter->ResortX(*data->curr()->x(), kept.z.data());
+    adapter->ResortG(*data->curr()->y_c(), *data->curr()->y_d(), kept.multipliers.data());
+    return kept.z.allFinite() && kept.multipliers.allFinite();
+  }
+
+  const Problem& problem_;
+  Vector start_;
+  const SolveOptions& options_;
+  bool own_termination_;
+  SolveObserver* observer_;
+  std::stop_token stop_;
+  Clock::time_point begun_;
+  Vector no_multipliers_;
+  int gauss_newton_iterations_;
+  int iterations_before_ = 0;
+  CurvatureSchedule curvature_;
+};
+
+struct Outcome {
+  SolveStatus status;
+  std::string reason;
+};
+
+// Every way Ipopt can end, in words. "Converged" by Ipopt's own test counts only when ours agrees
+// (finish_solve).
+Outcome outcome_of(Ipopt::ApplicationReturnStatus status, const Adapter& adapter, bool stopped,
+                   const SolveOptions& options) {
+  using S = SolveStatus;
+  if (adapter.converged) return {S::Converged, "feasible, and the energy is stationary to the tolerance"};
+  switch (status) {
+    case Ipopt::Solve_Succeeded:
+      return {S::Converged, "feasible, and the energy is stationary to the tolerance"};
+    case Ipopt::Solved_To_Acceptable_Level:
+      return {S::Planar, "no further progress at an accuracy short of the tolerance"};
+    case Ipopt::Feasible_Point_Found:
+      return {S::Converged, "a point on all planes was found; there was nothing to choose"};
+    case Ipopt::Infeasible_Problem_Detected:
+      return {S::Infeasible, "the demands contradict each other here: no step lessens their violation"};
+    case Ipopt::User_Requested_Stop:
+      return stopped ? Outcome{S::Stopped, "stopped by the user"} : Outcome{S::Planar, "stopped"};
+    case Ipopt::Maximum_Iterations_Exceeded:
+      return {S::Planar,
+              "the limit of " + std::to_string(options.max_iterations) + " iterations was reached"};
+    case Ipopt::Maximum_CpuTime_Exceeded:
+      return {S::Planar, "the time limit was reached"};
+    case Ipopt::Search_Direction_Becomes_Too_Small:
+    case Ipopt::Error_In_Step_Computation:
+      return {S::Planar, "no step gained anything any more at this accuracy"};
+    case Ipopt::Restoration_Failed:
+      return {S::Planar, "the solver found no way back to a feasible state"};
+    case Ipopt::Diverging_Iterates:
+      return {S::Failed, "the points ran away: the problem is unbounded"};
+    case Ipopt::Not_Enough_Degrees_Of_Freedom:
+      return {S::Failed, "there are more demands than unknowns; free the normals or the offsets"};
+    case Ipopt::Invalid_Number_Detected:
+      return {S::Failed, "a function could not be evaluated (not a finite number)"};
+    case Ipopt::Insufficient_Memory:
+      return {S::Failed, "out of memory"};
+    default:
+      return {S::Failed, "Ipopt ended with its status " + std::to_string(static_cast<int>(status))};
+  }
+}
+
+class IpoptSolver final : public Solver {
+ public:
+  explicit IpoptSolver(IpoptOverrides overrides) : overrides_(std::move(overrides)) {}
+
+  SolveReport solve(const Problem& problem, const State& start, const SolveOptions& options,
+                    SolveObserver* observer, std::stop_token stop) override {
+    const auto begun = Clock::now();
+    const auto gate = enter_mumps_gate();
+    Vector z = problem.from_state(start);
+    Ipopt::SmartPtr<Adapter> adapter = new Adapter(problem, z, options, overrides_, observer, stop);
+    adapter->best.z = z;
+    adapter->best.multipliers = Vector::Zero(problem.rows());
+
+    Outcome outcome;
+    try {
+      Ipopt::ApplicationReturnStatus status;
+      for (int attempt = 0;; ++attempt) {
+        // False: no console output.
+        Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
+        set_options(*application, options, options.max_iterations - adapter->iterations);
+        application->Initialize("");  // an empty name: no option file of the working directory is read
+        status = application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
+        if (!is_stuck(status) || attempt == kRestarts || !overrides_.own_termination || stop.stop_requested())
+          break;
+        adapter->restart();
+      }
+      outcome = outcome_of(status, *adapter, stop.stop_requested(), options);
+    } catch (const std::bad_alloc&) {
+      outcome = {SolveStatus::Failed, "out of memory"};
+    }
+
+    SolveReport report;
+    report.solver = "ipopt";
+    report.status = outcome.status;
+    report.stop_reason = outcome.reason;
+    report.iterations = adapter->iterations;
+    finish_solve(problem, adapter->best.z, adapter->best.multipliers, options, report);
+    report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    return report;
+  }
+
+ private:
+  static constexpr int kRestarts = 2;
+
+  // Ends from which a fresh start at the best state, with Gauss-Newton steps again, often goes on.
+  static bool is_stuck(Ipopt::ApplicationReturnStatus status) {
+    return status == Ipopt::Restoration_Failed || status == Ipopt::Search_Direction_Becomes_Too_Small ||
+           status == Ipopt::Error_In_Step_Computation || status == Ipopt::Infeasible_Problem_Detected;
+  }
+
+  void set_options(Ipopt::IpoptApplication& application, const SolveOptions& options, int iterations) const {
+    auto& list = *application.Options();
+    list.SetIntegerValue("print_level", 0);
+    list.SetStringValue("sb", "yes");  // no banner
+    list.SetStringValue("linear_solver", "mumps");
+    // Our units are the scaling; Ipopt's depends on the directions of the axes.
+    list.SetStringValue("nlp_scaling_method", "none");
+    // MUMPS' matching step is most of its analysis time and gains nothing on these systems (measured).
+    list.SetIntegerValue("mumps_permuting_scaling", 0);
+    list.SetIntegerValue("mumps_scaling", 0);
+    list.SetNumericValue("mumps_pivtol", 1e-8);
+    list.SetIntegerValue("mumps_pivot_order",
+                         3);  // Scotch: the fastest here; deterministic with one thread (mumps_gate)
+    list.SetNumericValue("constr_mult_init_max",
+                         0.0);  // multipliers do not enter the first steps: save their solve
+    list.SetIntegerValue("max_iter", std::max(iterations, 0));
+    // The callback decides; Ipopt's own test, relative to the multipliers, stays behind it.
+    list.SetNumericValue("tol", overrides_.own_termination ? 1e-3 * options.tolerance : options.tolerance);
+    list.SetNumericValue("constr_viol_tol", kFeasible);
+    list.SetNumericValue("dual_inf_tol", options.tolerance);
+    list.SetIntegerValue("acceptable_iter", 0);
+    for (const auto& [name, value] : overrides_.strings) list.SetStringValue(name, value);
+    for (const auto& [name, value] : overrides_.numbers) list.SetNumericValue(name, value);
+    for (const auto& [name, value] : overrides_.integers) list.SetIntegerValue(name, value);
+  }
+
+  IpoptOverrides overrides_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_ipopt_solver(IpoptOverrides overrides) {
+  return std::make_unique<IpoptSolver>(std::move(overrides));
+}
+
+}  // namespace planewright

@@ -1,0 +1,187 @@
+#include "core/solve/solve_session.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <new>
+#include <stop_token>
+#include <thread>
+
+#include "core/solve/design.h"
+#include "core/solve/ipopt_solver.h"
+
+namespace planewright {
+
+struct SolveSession::Impl {
+  explicit Impl(std::function<void()> wake_up) : wake(std::move(wake_up)) {}
+
+  struct Job {
+    SolveRequest request;
+    std::uint64_t ticket = 0;
+    std::stop_source stop;
+  };
+
+  // Turns solver callbacks into mailbox and queue entries.
+  class Publisher final : public SolveObserver {
+   public:
+    Publisher(Impl& session, const Job& job, std::shared_ptr<const TangentComplex> complex)
+        : session_(session), job_(job), complex_(std::move(complex)) {}
+
+    void on_iteration(const Iteration& iteration, const State* state) override {
+      std::shared_ptr<const Iterate> iterate;
+      if (state) iterate = std::make_shared<const Iterate>(Iterate{job_.ticket, complex_, *state, iteration});
+      session_.publish(job_.ticket, iteration, std::move(iterate));
+    }
+
+   private:
+    Impl& session_;
+    const Job& job_;
+    std::shared_ptr<const TangentComplex> complex_;
+  };
+
+  void publish(std::uint64_t of_ticket, const Iteration& iteration, std::shared_ptr<const Iterate> iterate) {
+    {
+      const std::lock_guard lock(mutex);
+      if (of_ticket != ticket) return;  // superseded
+      iterations.push_back(iteration);
+      if (iterate) mailbox.swap(iterate);
+    }  // what the mailbox held before is freed here, outside the lock
+    if (wake) wake();
+  }
+
+  void work(const std::stop_token& quit) {
+    while (true) {
+      {
+        std::unique_lock lock(mutex);
+        changed.wait(lock, quit, [this] { return pending.has_value(); });
+        if (quit.stop_requested()) return;
+        active = std::move(pending);
+        pending.reset();
+      }
+      const Job& job = *active;
+      std::stop_callback quit_stops_solve(quit, [stop = job.stop]() mutable { stop.request_stop(); });
+      SolveOutcome outcome = solve(job);
+      const std::uint64_t solved = job.ticket;
+      {
+        const std::lock_guard lock(mutex);
+        active.reset();
+        if (solved == ticket) finished = std::move(outcome);
+      }
+      if (wake) wake();
+    }
+  }
+
+  SolveOutcome solve(const Job& job) {
+    const DesignSettings& settings = job.request.settings;
+    SolveOutcome outcome{job.ticket, nullptr, fail(ErrorCode::Refused, "nothing was solved")};
+    try {
+      if (job.request.mesh != built_from || !same_complex(settings, built_with)) {
+        auto complex = build_complex(*job.request.mesh, settings);
+        if (!complex) {
+          outcome.report = tl::unexpected(complex.error());
+          return outcome;
+        }
+        built = std::move(*complex);
+        built_from = job.request.mesh;
+        built_with = settings;
+      }
+      outcome.complex = built;
+      auto problem = build_problem(built, settings);
+      if (!problem) {
+        outcome.report = tl::unexpected(problem.error());
+        return outcome;
+      }
+      const Iterate* warm = job.request.warm_start.get();
+      const State start =
+          start_state(*built, settings, warm ? warm->complex.get() : nullptr, warm ? &warm->state : nullptr);
+      Publisher publisher(*this, job, built);
+      outcome.report = make_ipopt_solver()->solve(**problem, start, solve_options(settings), &publisher,
+                                                  job.stop.get_token());
+    } catch (const std::bad_alloc&) {
+      outcome.report = fail(ErrorCode::Unavailable, "the machine has not enough memory for this design", {},
+                            "Take a coarser mesh");
+    }
+    return outcome;
+  }
+
+  std::function<void()> wake;
+
+  mutable std::mutex mutex;  // guards all below up to the blank line; held for moving pointers only
+  std::condition_variable_any changed;
+  std::uint64_t ticket = 0;
+  std::optional<Job> pending, active;
+  std::shared_ptr<const Iterate> mailbox;
+  std::vector<Iteration> iterations;
+  std::optional<SolveOutcome> finished;
+
+  // The worker's own: the last complex built, kept for requests that change weights alone.
+  std::shared_ptr<const PolygonMesh> built_from;
+  DesignSettings built_with;
+  std::shared_ptr<const TangentComplex> built;
+
+  std::jthread worker;  // last, so that it stops before what it uses goes
+};
+
+SolveSession::SolveSession(std::function<void()> wake) : impl_(std::make_unique<Impl>(std::move(wake))) {
+  impl_->worker = std::jthread([impl = impl_.get()](const std::stop_token& quit) { impl->work(quit); });
+}
+
+SolveSession::~SolveSession() = default;
+
+std::uint64_t SolveSession::start(SolveRequest request) {
+  // Whatever the superseded request leaves is freed after the lock is released.
+  std::optional<Impl::Job> dropped;
+  std::shared_ptr<const Iterate> old_iterate;
+  std::optional<SolveOutcome> old_outcome;
+  std::uint64_t ticket;
+  {
+    const std::lock_guard lock(impl_->mutex);
+    ticket = ++impl_->ticket;
+    dropped.swap(impl_->pending);
+    impl_->pending.emplace(Impl::Job{std::move(request), ticket, {}});
+    if (impl_->active) impl_->active->stop.request_stop();
+    old_iterate.swap(impl_->mailbox);
+    old_outcome.swap(impl_->finished);
+    impl_->iterations.clear();
+  }
+  impl_->changed.notify_one();
+  return ticket;
+}
+
+void SolveSession::stop() {
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->active) impl_->active->stop.request_stop();
+  if (impl_->pending) impl_->pending->stop.request_stop();
+}
+
+bool SolveSession::running() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->pending || impl_->active;
+}
+
+std::uint64_t SolveSession::current_ticket() const {
+  const std::lock_guard lock(impl_->mutex);
+  return impl_->ticket;
+}
+
+std::shared_ptr<const Iterate> SolveSession::take_iterate() {
+  const std::lock_guard lock(impl_->mutex);
+  return std::exchange(impl_->mailbox, nullptr);
+}
+
+void SolveSession::drain_iterations(std::vector<Iteration>& out) {
+  std::vector<Iteration> taken;
+  {
+    const std::lock_guard lock(impl_->mutex);
+    taken.swap(impl_->iterations);
+  }
+  out.insert(out.end(), taken.begin(), taken.end());
+}
+
+std::optional<SolveOutcome> SolveSession::take_outcome() {
+  const std::lock_guard lock(impl_->mutex);
+  return std::exchange(impl_->finished, std::nullopt);
+}
+
+}  // namespace planewright

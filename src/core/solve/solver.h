@@ -1,0 +1,29 @@
+// Solver: the interface behind which Ipopt (and later the tangent solver) work on the same Problem.
+//
+// Threads: a solver object is used by one thread at a time; the stop token may be triggered from any other.
+#pragma once
+
+#include <stop_token>
+
+#include "core/problem/problem.h"
+#include "core/solve/iteration.h"
+#include "core/solve/solve_report.h"
+
+namespace planewright {
+
+struct SolveOptions {
+  int max_iterations = 500;
+  double tolerance = 1e-4;            // first-order residual, see SolveReport::first_order_residual
+  double planarity_tolerance = 1e-9;  // mean edges; what counts as planar after the projection
+};
+
+class Solver {
+ public:
+  virtual ~Solver() = default;
+  // start and the report's state: model units. Every outcome, a breakdown included, is a report with the best
+  // state so far; a stop request ends the solve within one factorisation. observer may be null.
+  virtual SolveReport solve(const Problem& problem, const State& start, const SolveOptions& options,
+                            SolveObserver* observer, std::stop_token stop) = 0;
+};
+
+}  // namespace planewright
