@@ -24,6 +24,7 @@ target_link_libraries(openmesh_core INTERFACE ${OPENMESH_CORE_LIBRARY})
 
 # Rendering without a display (EGL) and in the window.
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
+pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)
 find_package(glm REQUIRED)
 find_path(STB_INCLUDE_DIR stb_image_write.h PATH_SUFFIXES stb REQUIRED)
 
@@ -33,7 +34,4 @@ if(PLANEWRIGHT_WINDOW)
 endif()
 if(PLANEWRIGHT_TESTS)
   find_package(GTest REQUIRED)
-endif()
-if(PLANEWRIGHT_BENCH)
-  find_package(benchmark REQUIRED)
 endif()

@@ -11,6 +11,7 @@ namespace planewright::cli {
 void add_sample_command(CLI::App& app, ExitStatus& status);
 void add_dual_command(CLI::App& app, ExitStatus& status);
 void add_planarize_command(CLI::App& app, ExitStatus& status);
+void add_panels_command(CLI::App& app, ExitStatus& status);
 void add_check_command(CLI::App& app, ExitStatus& status);
 void add_render_command(CLI::App& app, ExitStatus& status);
 

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   cli::add_sample_command(app, status);
   cli::add_dual_command(app, status);
   cli::add_planarize_command(app, status);
+  cli::add_panels_command(app, status);
   cli::add_check_command(app, status);
   cli::add_render_command(app, status);
   try {

@@ -1,4 +1,4 @@
-// planewright-cli dual | planarize IN -o OUT: mesh in, planar panels out.
+// planewright-cli dual | planarize | panels IN -o OUT: mesh in, planar panels out.
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -25,6 +25,7 @@ struct SolveCommandOptions {
   std::string input, output, report, unit = "m", weights, solver = "ipopt";
   DesignSettings settings;
   bool quiet = false, explicit_points = false;
+  bool mode_by_mesh = false;  // `panels`: triangles become a dual, anything else is planarized
 };
 
 double seconds_since(Clock::time_point begin) {
@@ -102,6 +103,7 @@ Result<ExitStatus> run(SolveCommandOptions& options) {
   const auto checked = load_mesh(options.input);
   if (!checked) return tl::unexpected(checked.error());
   record.health = checked->health;
+  if (options.mode_by_mesh) record.settings.mode = options.settings.mode = suggested_mode(checked->mesh);
   if (!checked->health.healthy())
     std::fprintf(stderr, "planewright-cli: note: %s: %s\n", options.input.c_str(),
                  checked->health.summary().c_str());
@@ -206,6 +208,13 @@ void add_dual_command(CLI::App& app, ExitStatus& status) {
 void add_planarize_command(CLI::App& app, ExitStatus& status) {
   add_solve_command(app, status, ComplexKind::Planarize, "planarize", "Planar version of a polygon mesh",
                     std::make_shared<SolveCommandOptions>());
+}
+
+void add_panels_command(CLI::App& app, ExitStatus& status) {
+  auto options = std::make_shared<SolveCommandOptions>();
+  add_solve_command(app, status, ComplexKind::Dual, "panels",
+                    "Whichever fits the mesh: dual for triangles, planarize for anything else", options);
+  options->mode_by_mesh = true;
 }
 
 }  // namespace planewright::cli

@@ -4,6 +4,13 @@
 
 namespace planewright {
 
+ComplexKind suggested_mode(const PolygonMesh& mesh) {
+  const Polygons faces = mesh.faces();
+  int triangles = 0;
+  for (int f = 0; f < faces.size(); ++f) triangles += faces.valence(f) == 3;
+  return 2 * triangles > faces.size() ? ComplexKind::Dual : ComplexKind::Planarize;
+}
+
 Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& mesh,
                                                             const DesignSettings& settings) {
   const auto share = [](TangentComplex&& complex) {

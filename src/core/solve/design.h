@@ -12,6 +12,10 @@
 
 namespace planewright {
 
+// What a mesh is most likely meant for: its dual if most faces are triangles (they are planar as they are),
+// else its own faces made planar.
+ComplexKind suggested_mode(const PolygonMesh& mesh);
+
 // Builds the complex that settings.mode names. Fails as the builders do.
 Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& mesh,
                                                             const DesignSettings& settings);
