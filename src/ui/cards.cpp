@@ -11,18 +11,19 @@
 namespace planewright::ui {
 namespace {
 
-// A floating card with a thin frame; `pivot` says which of its corners stands at `at`.
-bool begin_card(Ui& ui, const char* name, ImVec2 at, ImVec2 pivot, float width, bool* open = nullptr) {
+// A floating card with a thin frame; `pivot` says which of its corners stands at `at`. `in_front`: the
+// designer asked for it, so it comes before everything else.
+bool begin_card(Ui& ui, const char* name, ImVec2 at, ImVec2 pivot, float width, bool in_front = false) {
   ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
-  if (width > 0) ImGui::SetNextWindowSize(ImVec2(width, 0));
+  ImGui::SetNextWindowSize(ImVec2(width, 0));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(14), ui.px(11)));
   ImGui::PushStyleColor(ImGuiCol_WindowBg, to_vec4(ui.colours().overlay));
-  ImGuiWindowFlags flags = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
-                           ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing;
-  if (width <= 0) flags |= ImGuiWindowFlags_AlwaysAutoResize;
-  return ImGui::Begin(name, open, flags);
+  ImGuiWindowFlags flags =
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings;
+  if (!in_front) flags |= ImGuiWindowFlags_NoFocusOnAppearing;
+  return ImGui::Begin(name, nullptr, flags);
 }
 
 void end_card() {
@@ -53,14 +54,14 @@ void key_row(Ui& ui, const char* keys, const char* what) {
                     ui.colours().ink, keys);
   draw_text_aligned(draw, ui.theme().regular(), ImVec2(at.x + ui.px(122), at.y),
                     ImVec2(at.x + ui.px(400), at.y + row), 0.0f, ui.colours().ink_soft, what);
-  ImGui::Dummy(ImVec2(ui.px(330), row - ImGui::GetStyle().ItemSpacing.y));
+  ImGui::Dummy(ImVec2(ui.px(340), row - ImGui::GetStyle().ItemSpacing.y));
 }
 
 void draw_keys_card(Desk& desk) {
   Ui& ui = desk.ui;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowFocus();
-  if (begin_card(ui, "##keys", ImVec2(0.5f * screen.x, 0.5f * screen.y), ImVec2(0.5f, 0.5f), 0)) {
+  if (begin_card(ui, "##keys", ImVec2(0.5f * screen.x, 0.5f * screen.y), ImVec2(0.5f, 0.5f), ui.px(736),
+                 true)) {
     const Ui::Scope scope(ui, "Keys");
     ui.heading("Keys and mouse");
     if (close_cross(ui, "close")) desk.window.show_keys = false;
@@ -138,8 +139,8 @@ void draw_timings_card(Desk& desk) {
 void draw_about_card(Desk& desk) {
   Ui& ui = desk.ui;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowFocus();
-  if (begin_card(ui, "##about", ImVec2(0.5f * screen.x, 0.5f * screen.y), ImVec2(0.5f, 0.5f), ui.px(430))) {
+  if (begin_card(ui, "##about", ImVec2(0.5f * screen.x, 0.5f * screen.y), ImVec2(0.5f, 0.5f), ui.px(430),
+                 true)) {
     const Ui::Scope scope(ui, "About");
     ui.heading("Planewright " PLANEWRIGHT_VERSION);
     if (close_cross(ui, "close")) desk.window.show_about = false;

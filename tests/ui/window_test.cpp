@@ -439,8 +439,16 @@ TEST_F(WindowTest, ModesKeysAndPlanarizeCannotFlip) {
     expect ui:Keys/close == absent
     key F1
     wait_frames 4
+    wait_frames 30          # a card stays as it is
     click Keys/close
-    click "Findings/tab Report"
+    wait_frames 3
+    expect ui:Keys/close == absent
+    key ?
+    wait_frames 4
+    click "Findings/tab Report"          # a card blocks nothing
+    wait_frames 3
+    expect ui:Findings/health == enabled
+    key Escape
     wait_solved 100
     wait_frames 3
     screenshot PICTURES/report.png
