@@ -6,6 +6,7 @@
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
 #include "core/problem/energies.h"
+#include "core/solve/design.h"
 #include "ui/format.h"
 
 namespace planewright::ui {
@@ -30,17 +31,9 @@ double round_up(double value) {
   return 10.0 * power;
 }
 
-// A dual wants triangles; everything else is planarized as it is.
-ComplexKind natural_mode(const PolygonMesh& mesh) {
-  const Polygons faces = mesh.faces();
-  int triangles = 0;
-  for (int f = 0; f < faces.size(); ++f) triangles += faces.valence(f) == 3;
-  return 2 * triangles > faces.size() ? ComplexKind::Dual : ComplexKind::Planarize;
-}
-
 DesignSettings default_settings(const PolygonMesh& mesh) {
   DesignSettings settings;
-  settings.mode = natural_mode(mesh);
+  settings.mode = suggested_mode(mesh);
   settings.weights.clear();
   for (const EnergyInfo& energy : energy_catalogue()) settings.weights[energy.name] = energy.default_weight;
   return settings;
