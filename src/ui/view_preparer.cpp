@@ -24,22 +24,6 @@ std::uint64_t fingerprint(const Points& points) {
   return hash;
 }
 
-// Which corners are worth a mark. On a fine mesh neighbouring planes are nearly parallel everywhere, which is
-// as it should be; what stands out is a corner far below the others of the same design.
-double notable_threshold(const TangentComplex& complex, const State& state) {
-  constexpr double kAlways = 1e-3, kNeverAbove = 0.05, kFarBelow = 0.25;
-  const Vector measure = determinacy(complex, state);
-  std::vector<double> inner;
-  inner.reserve(static_cast<std::size_t>(measure.size()));
-  for (int j = 0; j < complex.point_count(); ++j) {
-    if (complex.planes_of_point.valence(j) >= 3) inner.push_back(measure[j]);
-  }
-  if (inner.empty()) return kAlways;
-  const auto middle = inner.begin() + static_cast<std::ptrdiff_t>(inner.size() / 2);
-  std::nth_element(inner.begin(), middle, inner.end());
-  return std::clamp(kFarBelow * *middle, kAlways, kNeverAbove);
-}
-
 }  // namespace
 
 PreparedView prepare_view(const PrepareJob& job) {
@@ -54,7 +38,7 @@ PreparedView prepare_view(const PrepareJob& job) {
   view.points = state.x.rowwise() + shift.transpose();
   view.planarity = measure_planarity(state.x, complex.panels);
   view.displacement = measure_displacement(state.x, complex.preferred);
-  view.ill_determined = find_ill_determined(complex, state, notable_threshold(complex, state));
+  view.ill_determined = find_ill_determined(complex, state);
   if (view.points.rows() > 0) {
     view.low = view.points.colwise().minCoeff().transpose();
     view.high = view.points.colwise().maxCoeff().transpose();

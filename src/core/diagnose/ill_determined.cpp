@@ -18,9 +18,9 @@ Vector determinacy(const TangentComplex& complex, const State& state) {
   return measure;
 }
 
-std::vector<IllDetermined> find_ill_determined(const TangentComplex& complex, const State& state,
-                                               double threshold) {
-  const Vector measure = determinacy(complex, state);
+namespace {
+
+std::vector<IllDetermined> below(const TangentComplex& complex, const Vector& measure, double threshold) {
   std::vector<IllDetermined> found;
   for (int j = 0; j < complex.point_count(); ++j)
     if (complex.planes_of_point.valence(j) >= 3 && measure[j] < threshold) found.push_back({j, measure[j]});
@@ -28,6 +28,33 @@ std::vector<IllDetermined> find_ill_determined(const TangentComplex& complex, co
     return a.singular_value < b.singular_value;
   });
   return found;
+}
+
+double notable(const TangentComplex& complex, const Vector& measure) {
+  constexpr double kAlways = 1e-3, kNever = 0.05, kFarBelow = 0.25;
+  std::vector<double> inner;
+  for (int j = 0; j < complex.point_count(); ++j)
+    if (complex.planes_of_point.valence(j) >= 3) inner.push_back(measure[j]);
+  if (inner.empty()) return kAlways;
+  const auto middle = inner.begin() + static_cast<std::ptrdiff_t>(inner.size() / 2);
+  std::nth_element(inner.begin(), middle, inner.end());
+  return std::clamp(kFarBelow * *middle, kAlways, kNever);
+}
+
+}  // namespace
+
+double notable_threshold(const TangentComplex& complex, const State& state) {
+  return notable(complex, determinacy(complex, state));
+}
+
+std::vector<IllDetermined> find_ill_determined(const TangentComplex& complex, const State& state,
+                                               double threshold) {
+  return below(complex, determinacy(complex, state), threshold);
+}
+
+std::vector<IllDetermined> find_ill_determined(const TangentComplex& complex, const State& state) {
+  const Vector measure = determinacy(complex, state);
+  return below(complex, measure, notable(complex, measure));
 }
 
 }  // namespace planewright

@@ -1,5 +1,5 @@
-// Ill-determined points: places where the planes through a point are nearly parallel, so that a small change of a
-// plane throws the point far away. [Z 4.3] lights them up and advises to flip an edge there.
+// Ill-determined points: places where the planes through a point are nearly parallel, so that a small change
+// of a plane throws the point far away. [Z 4.3] lights them up and advises to flip an edge there.
 //
 // Measure: the third singular value of N_j (#planes x 3, unit rows), i.e. the square root of the smallest
 // eigenvalue of N_j^T N_j; 1 for three perpendicular planes, 0 for a flat place. Unit-free.
@@ -19,10 +19,16 @@ struct IllDetermined {
   int point;
   double singular_value;
 };
-// Points on at least three planes whose measure is below the threshold; worst first, ties by index. At the default,
-// a plane that turns by a tenth of a degree moves the point by a sixth of an edge; gently curved roofs, whose panels
-// meet at a few degrees, have most of their points at 0.02-0.1.
+// Below which measure a point of this design is worth a mark. On a fine or gently curved design neighbouring
+// planes are nearly parallel everywhere, as it should be; what stands out is a point far below the others: a
+// quarter of the median over points on at least three planes, kept within 0.001 (always ill) and 0.05
+// (never).
+double notable_threshold(const TangentComplex& complex, const State& state);
+
+// Points on at least three planes whose measure is below the threshold; worst first, ties by index.
 std::vector<IllDetermined> find_ill_determined(const TangentComplex& complex, const State& state,
-                                               double threshold = 0.01);
+                                               double threshold);
+// The same with the design's notable_threshold().
+std::vector<IllDetermined> find_ill_determined(const TangentComplex& complex, const State& state);
 
 }  // namespace planewright

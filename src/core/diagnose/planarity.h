@@ -1,4 +1,5 @@
-// How planar panels are, and how far points moved: measured on the polygons themselves, independent of any solver.
+// How planar panels are, and how far points moved: measured on the polygons themselves, independent of any
+// solver.
 #pragma once
 
 #include "core/base/geometry.h"
