@@ -8,9 +8,8 @@ set(CMAKE_CXX_EXTENSIONS OFF)
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
-  # Precompiled headers and ccache agree only with these.
-  set(ENV{CCACHE_SLOPPINESS} pch_defines,time_macros)
+  # Precompiled headers and ccache agree only with this.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${CCACHE})
 endif()
 
 add_library(planewright_options INTERFACE)
