@@ -12,6 +12,7 @@ IpoptOverrides plain() {
   overrides.integers["mumps_pivot_order"] = 7;
   overrides.integers["mumps_permuting_scaling"] = 7;
   overrides.integers["mumps_scaling"] = 77;
+  overrides.integers["mumps_mem_percent"] = 1000;
   overrides.integers["acceptable_iter"] = 15;
   overrides.integers["max_iter"] = 3000;
   overrides.numbers["mumps_pivtol"] = 1e-6;

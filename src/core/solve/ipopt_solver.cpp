@@ -60,7 +60,7 @@ class CurvatureSchedule {
     const bool flat =
         infeasibility <= kNearlyFeasible && std::abs(objective - objective_) <= kFlat * std::abs(objective);
     flat_ = flat ? flat_ + 1 : 0;
-    const bool shrinking = first_order <= 0.5 * first_order_;
+    const bool shrinking = first_order <= 0.7 * first_order_;
     // Not too early: round a symmetric saddle the energy is flat for a few steps as well.
     if (iteration >= kAtLeast && flat_ >= 3 && !shrinking) exact_ = true;
     iteration_ = iteration;
@@ -181,6 +181,7 @@ class Adapter final : public Ipopt::TNLP {
     }
     if (observer_) {
       if (known) {
+        iteration.energies = problem_.energy_shares(now.z.data());
         const State state = problem_.to_state({now.z.data(), static_cast<size_t>(now.z.size())});
         observer_->on_iteration(iteration, &state);
       } else {
@@ -373,7 +374,11 @@ class IpoptSolver final : public Solver {
     // MUMPS' matching step is most of its analysis time and gains nothing on these systems (measured).
     list.SetIntegerValue("mumps_permuting_scaling", 0);
     list.SetIntegerValue("mumps_scaling", 0);
-    list.SetNumericValue("mumps_pivtol", 1e-8);
+    // Elimination without a search for pivots: a fifth faster, and as good here (every real mesh measured converges);
+    // Ipopt checks the residual of each solve and regularises where it is not.
+    list.SetNumericValue("mumps_pivtol", 0.0);
+    // Ipopt's 1000 % of extra workspace is zeroed at every factorisation; MUMPS asks again where 30 % is too little.
+    list.SetIntegerValue("mumps_mem_percent", 30);
     list.SetIntegerValue("mumps_pivot_order",
                          3);  // Scotch: the fastest here; deterministic with one thread (mumps_gate)
     list.SetNumericValue("constr_mult_init_max",

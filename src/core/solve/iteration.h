@@ -1,7 +1,10 @@
 // What a running solve tells about itself: one Iteration per step, handed to a SolveObserver.
 #pragma once
 
+#include <vector>
+
 #include "core/complex/state.h"
+#include "core/problem/problem.h"
 
 namespace planewright {
 
@@ -15,6 +18,7 @@ struct Iteration {
   double step = 0.0;           // inf-norm of the last step
   double seconds = 0.0;        // wall time since the solve began
   bool restoration = false;    // the solver left the objective aside to find feasibility
+  std::vector<Problem::EnergyShare> energies;  // what each adds to the objective; empty in restoration
 };
 
 // Called on the solving thread, once per iteration. Must be quick and must not throw.
