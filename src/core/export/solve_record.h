@@ -25,7 +25,7 @@ struct SolveRecord {
   double seconds_build = 0.0, seconds_total = 0.0;
 };
 
-// The JSON text, two-space indented, with the keys of docs/file-formats.md. Numbers that are not finite
+// The JSON text, two-space indented, with the keys of docs/command-line.md. Numbers that are not finite
 // become null.
 std::string to_json(const SolveRecord& record);
 
