@@ -19,6 +19,7 @@
 
 #include "core/solve/finish_solve.h"
 #include "core/solve/mumps_gate.h"
+#include "core/solve/projection.h"
 
 namespace planewright {
 namespace {
@@ -37,6 +38,9 @@ struct Kept {
 // Feasible enough for the projection to be a small correction; among such iterates the lower energy is
 // better.
 constexpr double kNearlyFeasible = 1e-4;
+// Root mean square move of the first step, edges, beyond which another start is tried; real designs stay
+// below 0.3.
+constexpr double kFirstStepTooLong = 0.5;
 // What the final projection easily takes to rounding; asking Ipopt for more gains nothing.
 constexpr double kFeasible = 1e-7;
 
@@ -193,13 +197,19 @@ class Adapter final : public Ipopt::TNLP {
       converged = true;
       return false;
     }
+    // Where the design's edges run along asymptotic directions (a hypar along its rulings), the incidences
+    // linearised at the start are nearly contradictory, and the first step throws the points far away.
+    if (number == 1 && known && may_start_elsewhere && moved(now.z) > kFirstStepTooLong) {
+      start_elsewhere = true;
+      return false;
+    }
     return !stop_.stop_requested();
   }
 
   void finalize_solution(Ipopt::SolverReturn, Index n, const Number* z, const Number*, const Number*, Index m,
                          const Number* c, const Number* multipliers, Number objective,
                          const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
-    if (converged) return;
+    if (converged || start_elsewhere) return;
     // Covers what the callback did not see: a problem solved at its start, a last iterate after restoration.
     Kept last;
     last.z = Eigen::Map<const Vector>(z, n);
@@ -212,6 +222,15 @@ class Adapter final : public Ipopt::TNLP {
     if (last.z.allFinite() && better(last, best)) best = last;
   }
 
+  // Ready for another solve from elsewhere, as if nothing had been solved yet.
+  void restart_from(const Vector& z) {
+    best = Kept{};
+    best.z = z;
+    best.multipliers = Vector::Zero(problem_.rows());
+    may_start_elsewhere = start_elsewhere = false;
+    restart();
+  }
+
   // Ready for another solve from the best state so far; iterations go on counting.
   void restart() {
     start_ = best.z;
@@ -222,6 +241,8 @@ class Adapter final : public Ipopt::TNLP {
   Kept best;
   int iterations = 0;
   bool converged = false;  // by our own test
+  bool may_start_elsewhere = true;
+  bool start_elsewhere = false;  // the first step was hopeless: another start is wanted
 
  private:
   static bool all_finite(const Number* values, Index count) {
@@ -263,6 +284,13 @@ class Adapter final : public Ipopt::TNLP {
   SolveObserver* observer_;
   std::stop_token stop_;
   Clock::time_point begun_;
+  // Root mean square move of the points from the start, edges.
+  double moved(const Vector& z) const {
+    const Eigen::Index size = 3 * problem_.layout().points;
+    return (z.head(size) - start_.head(size)).norm() /
+           std::sqrt(std::max<double>(problem_.layout().points, 1.0));
+  }
+
   Vector no_multipliers_;
   int gauss_newton_iterations_;
   int iterations_before_ = 0;
@@ -326,6 +354,7 @@ class IpoptSolver final : public Solver {
     Ipopt::SmartPtr<Adapter> adapter = new Adapter(problem, z, options, overrides_, observer, stop);
     adapter->best.z = z;
     adapter->best.multipliers = Vector::Zero(problem.rows());
+    adapter->may_start_elsewhere = overrides_.own_termination;
 
     Outcome outcome;
     try {
@@ -336,6 +365,13 @@ class IpoptSolver final : public Solver {
         set_options(*application, options, options.max_iterations - adapter->iterations);
         application->Initialize("");  // an empty name: no option file of the working directory is read
         status = application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
+        if (adapter->start_elsewhere) {
+          // Damped, the projection finds planar panels close by; from there the energies have an easier way.
+          State projected = start;
+          project_onto_incidences(problem.complex(), projected, problem.layout().freedom);
+          adapter->restart_from(problem.from_state(projected));
+          continue;
+        }
         if (!is_stuck(status) || attempt == kRestarts || !overrides_.own_termination || stop.stop_requested())
           break;
         adapter->restart();
@@ -374,10 +410,11 @@ class IpoptSolver final : public Solver {
     // MUMPS' matching step is most of its analysis time and gains nothing on these systems (measured).
     list.SetIntegerValue("mumps_permuting_scaling", 0);
     list.SetIntegerValue("mumps_scaling", 0);
-    // Elimination without a search for pivots: a fifth faster, and as good here (every real mesh measured converges);
-    // Ipopt checks the residual of each solve and regularises where it is not.
+    // Elimination without a search for pivots: a fifth faster, and as good here (every real mesh measured
+    // converges); Ipopt checks the residual of each solve and regularises where it is not.
     list.SetNumericValue("mumps_pivtol", 0.0);
-    // Ipopt's 1000 % of extra workspace is zeroed at every factorisation; MUMPS asks again where 30 % is too little.
+    // Ipopt's 1000 % of extra workspace is zeroed at every factorisation; MUMPS asks again where 30 % is too
+    // little.
     list.SetIntegerValue("mumps_mem_percent", 30);
     list.SetIntegerValue("mumps_pivot_order",
                          3);  // Scotch: the fastest here; deterministic with one thread (mumps_gate)
