@@ -61,6 +61,12 @@ void print_summary(const SolveRecord& record, const std::string& output, const s
     std::printf("ill-determined points: %zu, the worst is point %d (singular value %.2g)\n",
                 record.ill_determined.size(), record.ill_determined.front().point,
                 record.ill_determined.front().singular_value);
+  if (!record.self_crossing.empty())
+    std::printf("panels that cross themselves: %zu, the first is panel %d\n", record.self_crossing.size(),
+                record.self_crossing.front());
+  if (!record.short_edges.empty())
+    std::printf("panel edges below a twentieth of the mean: %zu, the shortest is %.3g %s long\n",
+                record.short_edges.size(), record.short_edges.front().length, unit.c_str());
 }
 
 // The baseline without optimisation, as a report like any other.
@@ -133,6 +139,8 @@ Result<ExitStatus> run(SolveCommandOptions& options) {
   record.mean_edge = (*complex)->mean_edge;
   record.displacement = measure_displacement(record.solve.state.x, (*complex)->preferred);
   record.ill_determined = find_ill_determined(**complex, record.solve.state);
+  record.self_crossing = find_self_crossing(panels.points, panels.polygons);
+  record.short_edges = find_short_edges(**complex, record.solve.state);
   record.seconds_total = seconds_since(begun);
 
   if (!options.report.empty())

@@ -64,6 +64,10 @@ std::string to_json(const SolveRecord& record) {
   for (const IllDetermined& point : record.ill_determined)
     degenerate.push_back({{"point", point.point}, {"singular_value", point.singular_value}});
 
+  Json short_edges = Json::array();
+  for (const ShortEdge& edge : record.short_edges)
+    short_edges.push_back({{"edge", edge.edge}, {"length", edge.length}});
+
   const Json json = {
       {"tool", "planewright"},
       {"version", kVersion},
@@ -94,7 +98,10 @@ std::string to_json(const SolveRecord& record) {
         {"max_edges", record.displacement.max / record.mean_edge}}},
       {"energies", energies},
       {"constraints", constraints},
-      {"diagnosis", {{"degenerate_points", degenerate}}},
+      {"diagnosis",
+       {{"degenerate_points", degenerate},
+        {"short_edges", short_edges},
+        {"crossing_panels", record.self_crossing}}},
       {"health", health_json(record.health)},
   };
   return json.dump(2) + "\n";

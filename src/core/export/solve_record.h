@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/diagnose/ill_determined.h"
+#include "core/diagnose/panel_shape.h"
 #include "core/diagnose/planarity.h"
 #include "core/mesh/health_report.h"
 #include "core/solve/design_settings.h"
@@ -22,6 +23,8 @@ struct SolveRecord {
   Planarity planarity;     // of the panels as written to the file and read back
   Displacement displacement;
   std::vector<IllDetermined> ill_determined;
+  std::vector<int> self_crossing;  // panels
+  std::vector<ShortEdge> short_edges;
   double seconds_build = 0.0, seconds_total = 0.0;
 };
 
