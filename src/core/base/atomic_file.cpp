@@ -37,16 +37,27 @@ mode_t wanted_mode(const std::filesystem::path& path) {
   return 0666 & ~mask;
 }
 
+// Goes to where a symbolic link leads, there or not yet, so that the link stays and its target is replaced.
+// False if links run in a circle.
+bool follow_links(std::filesystem::path& path) {
+  constexpr int kLongestChain = 40;  // as the system itself follows
+  for (int k = 0; k < kLongestChain; ++k) {
+    std::error_code no_link;
+    const auto next = std::filesystem::read_symlink(path, no_link);
+    if (no_link) return true;
+    path = path.parent_path() / next;  // an absolute one replaces all of it
+  }
+  return false;
+}
+
 }  // namespace
 
 Result<void> write_file_atomically(const std::filesystem::path& path, std::string_view content) {
-  // Follow a symbolic link, so that the link stays and its target is replaced.
   std::error_code ignored;
-  const auto target = std::filesystem::is_symlink(path, ignored) ? std::filesystem::weakly_canonical(path) : path;
-  if (std::filesystem::exists(target, ignored) && !std::filesystem::is_regular_file(target, ignored)) {
-    if (std::filesystem::is_directory(target, ignored)) return tl::unexpected(unwritable(path, EISDIR));
+  if (std::filesystem::exists(path, ignored) && !std::filesystem::is_regular_file(path, ignored)) {
+    if (std::filesystem::is_directory(path, ignored)) return tl::unexpected(unwritable(path, EISDIR));
     // A device or a pipe (/dev/stdout) cannot be renamed over: write to it directly.
-    const int file = ::open(target.c_str(), O_WRONLY | O_CLOEXEC);
+    const int file = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
     if (file < 0) return tl::unexpected(unwritable(path, errno));
     const int error = write_all(file, content);
     ::close(file);
@@ -54,7 +65,10 @@ Result<void> write_file_atomically(const std::filesystem::path& path, std::strin
     return {};
   }
 
-  std::string temporary = target.string() + ".XXXXXX";
+  std::filesystem::path target = path;
+  if (!follow_links(target)) return tl::unexpected(unwritable(path, ELOOP));
+  // Not the target's name with an ending: that could become longer than a name may be.
+  std::string temporary = (target.parent_path() / ".planewright-XXXXXX").string();
   const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
   if (file < 0) return tl::unexpected(unwritable(path, errno));
   int error = write_all(file, content);
