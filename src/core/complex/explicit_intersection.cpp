@@ -2,6 +2,8 @@
 
 #include <Eigen/SVD>
 
+#include "core/complex/point_equations.h"
+
 namespace planewright {
 
 const char* name(TpiFailure failure) {
@@ -20,21 +22,11 @@ TpiResult explicit_intersection(const TangentComplex& complex, double singular_t
                                 double residual_tolerance) {
   TpiResult result{initial_state(complex), {}};
   for (int j = 0; j < complex.point_count(); ++j) {
-    const auto planes = complex.planes_of_point[j];
-    const auto k = static_cast<Eigen::Index>(planes.size());
-    if (k < 3) {
+    if (complex.planes_of_point.valence(j) < 3) {
       result.failed.push_back({j, TpiFailure::TooFewPlanes, 0.0, 0.0});
       continue;
     }
-    // Relative to f_j, so that a nearly singular system errs about the wanted position, not about the origin.
-    Eigen::MatrixX3d normals(k, 3);
-    Vector right(k);
-    for (Eigen::Index r = 0; r < k; ++r) {
-      const int i = planes[static_cast<size_t>(r)];
-      normals.row(r) = complex.normals.row(i);
-      right[r] =
-          complex.offsets[i] - complex.normals.row(i).dot(complex.preferred.row(j) - complex.anchors.row(i));
-    }
+    const auto [normals, right] = PointEquations(complex, j);
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeThinV);
     const double smallest = svd.singularValues()[2];
     if (!(smallest >= singular_tolerance)) {

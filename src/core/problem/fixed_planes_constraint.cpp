@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/complex/point_equations.h"
+
 namespace planewright {
 namespace {
 
@@ -43,16 +45,7 @@ Result<std::unique_ptr<Constraint>> make_fixed_planes_constraint(const TangentCo
   auto constraint = std::make_unique<FixedPlanesConstraint>();
   int impossible = 0, first = -1;
   for (int j = 0; j < complex.point_count(); ++j) {
-    const auto planes = complex.planes_of_point[j];
-    const auto k = static_cast<Eigen::Index>(planes.size());
-    Eigen::MatrixXd normals(k, 3);
-    Vector right(k);
-    for (Eigen::Index r = 0; r < k; ++r) {
-      const int i = planes[static_cast<size_t>(r)];
-      normals.row(r) = complex.normals.row(i);
-      right[r] =
-          complex.offsets[i] - complex.normals.row(i).dot(complex.preferred.row(j) - complex.anchors.row(i));
-    }
+    const auto [normals, right] = PointEquations(complex, j);
     Eigen::JacobiSVD<Eigen::MatrixXd> svd(normals, Eigen::ComputeThinU | Eigen::ComputeThinV);
     svd.setThreshold(kDetermined / std::max(svd.singularValues()[0], kDetermined));
     const Vector3d move = svd.solve(right);

@@ -141,18 +141,20 @@ State Problem::to_state(std::span<const double> z) const {
   return state;
 }
 
-double Problem::objective(const double* z) const {
+double Problem::contribution(const EnergyTerm& term, const double* z) const {
   std::vector<double> local(longest_stencil_);
-  double sum = 0.0;
-  for (const EnergyTerm& term : energies_) {
-    double squares = 0.0;
-    for (int row = 0; row < term.energy->rows(); ++row) {
-      gather(z, term.energy->stencil(row), local);
-      const double r = term.energy->evaluate(row, local.data(), nullptr, nullptr);
-      squares += r * r;
-    }
-    sum += term.factor * squares;
+  double squares = 0.0;
+  for (int row = 0; row < term.energy->rows(); ++row) {
+    gather(z, term.energy->stencil(row), local);
+    const double r = term.energy->evaluate(row, local.data(), nullptr, nullptr);
+    squares += r * r;
   }
+  return term.factor * squares;
+}
+
+double Problem::objective(const double* z) const {
+  double sum = 0.0;
+  for (const EnergyTerm& term : energies_) sum += contribution(term, z);
   return sum;
 }
 
@@ -222,16 +224,8 @@ void Problem::hessian_values(const double* z, double factor, const double* multi
 
 std::vector<Problem::EnergyShare> Problem::energy_shares(const double* z) const {
   std::vector<EnergyShare> shares;
-  std::vector<double> local(longest_stencil_);
-  for (const EnergyTerm& term : energies_) {
-    double squares = 0.0;
-    for (int row = 0; row < term.energy->rows(); ++row) {
-      gather(z, term.energy->stencil(row), local);
-      const double r = term.energy->evaluate(row, local.data(), nullptr, nullptr);
-      squares += r * r;
-    }
-    shares.push_back({std::string(term.energy->name()), term.weight, term.factor * squares});
-  }
+  for (const EnergyTerm& term : energies_)
+    shares.push_back({std::string(term.energy->name()), term.weight, contribution(term, z)});
   return shares;
 }
 

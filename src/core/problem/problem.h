@@ -101,6 +101,8 @@ class Problem {
     std::vector<int> first_slot;
   };
 
+  double contribution(const EnergyTerm& term, const double* z) const;  // factor * sum of squares
+
   std::shared_ptr<const TangentComplex> complex_;
   TangentComplex normalised_;
   Vector3d centre_ = Vector3d::Zero();  // in the complex's local coordinates
