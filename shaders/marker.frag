@@ -10,10 +10,10 @@ out vec4 colour;
 
 void main() {
   float away = length(place);
-  float outer = disc_radius + 1.6 * pixel_scale;
+  float outer = disc_radius + 1.1 * pixel_scale;
   float inside = 1.0 - smoothstep(disc_radius - 0.5, disc_radius + 0.5, away);
   float cover = 1.0 - smoothstep(outer - 0.5, outer + 0.5, away);
-  float soft = 0.35 * (1.0 - smoothstep(outer - 0.5, outer + 1.4 * pixel_scale, away));
+  float soft = 0.35 * (1.0 - smoothstep(outer - 0.5, outer + 1.2 * pixel_scale, away));
   vec3 disc = mix(outline, disc_colour, inside);
   float alpha = max(cover, soft);
   if (alpha <= 0.004) discard;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
@@ -99,9 +100,11 @@ void AppState::adopt(Loaded loaded) {
 
   newest_.reset();
   shown_.reset();
+  ghost_.reset();
   history_.clear();
   history_ticket_ = 0;
   report_.reset();
+  energies_.clear();
   selected_panel.reset();
   selected_point.reset();
   planarity_range_ = displacement_range_ = 0.0;
@@ -192,20 +195,8 @@ void AppState::document_changed() {
 }
 
 void AppState::refresh_mesh_view() {
-  auto mesh = std::make_shared<MeshView>();
-  mesh->mesh = document_.mesh();
-  mesh->points = mesh->mesh->positions().rowwise() - scene_origin_.transpose();
-  mesh->faces = mesh->mesh->faces();
-  mesh->edges.reserve(static_cast<std::size_t>(mesh->mesh->edge_count()));
-  for (int e = 0; e < mesh->mesh->edge_count(); ++e) {
-    const MeshEdge edge = mesh->mesh->edge(e);
-    mesh->edges.emplace_back(edge.a, edge.b);
-  }
-  if (mesh->points.rows() > 0) {
-    mesh->low = mesh->points.colwise().minCoeff().transpose();
-    mesh->high = mesh->points.colwise().maxCoeff().transpose();
-  }
-  mesh_view_ = std::move(mesh);
+  mesh_view_ = std::make_shared<const MeshView>(make_mesh_view(document_.mesh(), scene_origin_));
+  preparer_.submit(mesh_view_);
 }
 
 // --- Solving ---------------------------------------------------------------------------------
@@ -299,16 +290,32 @@ bool AppState::drain() {
       history_.clear();
       history_ticket_ = session_.current_ticket();
     }
-    history_.insert(history_.end(), drained_.begin(), drained_.end());
+    take_energies();
+    history_.insert(history_.end(), std::make_move_iterator(drained_.begin()),
+                    std::make_move_iterator(drained_.end()));
     changed = true;
   }
   if (auto outcome = session_.take_outcome(); outcome && ours) {
     take_outcome(std::move(*outcome));
     changed = true;
   }
+  if (auto ghost = preparer_.take_ghost(); ghost && ghost->mesh == mesh_view_) {
+    ghost_ = std::move(ghost);
+    changed = true;
+  }
   changed |= show_prepared();
   if (changed) timings.drain.add(watch.milliseconds());
   return changed;
+}
+
+// Of the newest step that knows them; the solver's restoration does not.
+void AppState::take_energies() {
+  for (auto step = drained_.rbegin(); step != drained_.rend(); ++step) {
+    if (step->energies.empty()) continue;
+    energies_.clear();
+    for (const auto& share : step->energies) energies_.push_back({share.name, share.weight, share.value});
+    return;
+  }
 }
 
 void AppState::take_outcome(SolveOutcome outcome) {
@@ -320,6 +327,7 @@ void AppState::take_outcome(SolveOutcome outcome) {
     return;
   }
   report_ = std::move(*outcome.report);
+  if (!report_->energies.empty()) energies_ = report_->energies;
   if (!outcome.complex || report_->state.x.rows() == 0) {
     outcome_failed_ = true;
     return;
@@ -375,6 +383,7 @@ bool AppState::view_range_locked() const {
 
 bool AppState::settled() const {
   if (loading() || load_next_ || solve_wanted_ || session_.running()) return false;
+  if (mesh_view_ && (!ghost_ || ghost_->mesh != mesh_view_)) return false;
   if (document_.empty() || session_.current_ticket() <= ignored_ticket_) return true;
   if (finished_ticket_ != session_.current_ticket()) return false;
   return outcome_failed_ || (shown_ && shown_->final && shown_->ticket() == finished_ticket_);

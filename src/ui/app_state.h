@@ -22,6 +22,7 @@
 #include "core/solve/solve_session.h"
 #include "ui/background_task.h"
 #include "ui/frame_timings.h"
+#include "ui/mesh_view.h"
 #include "ui/view_preparer.h"
 
 namespace planewright::ui {
@@ -39,15 +40,6 @@ struct ViewOptions {
   ColourMap colours = ColourMap::None;
 
   bool operator==(const ViewOptions&) const = default;
-};
-
-// The mesh being designed on, as arrays for the viewport: the ghost, and the edges that can be clicked.
-struct MeshView {
-  std::shared_ptr<const PolygonMesh> mesh;
-  Points points;  // #V x 3, scene coordinates
-  Polygons faces;
-  std::vector<std::pair<int, int>> edges;                    // #E, ends by vertex; index = the mesh's edge
-  Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();  // bounding box, scene coordinates
 };
 
 struct Message {
@@ -102,6 +94,8 @@ class AppState {
   // --- What is shown.
   Vector3d scene_origin() const { return scene_origin_; }
   const std::shared_ptr<const MeshView>& mesh_view() const { return mesh_view_; }
+  // What is drawn of it: null until a new design's is ready; after an edit the one before, for a moment.
+  const std::shared_ptr<const PreparedGhost>& ghost() const { return ghost_; }
   // The newest prepared state, or null before the first iterate of a design. While a newer solve has not
   // delivered yet, this is the last good state of the one before.
   const std::shared_ptr<const PreparedView>& shown() const { return shown_; }
@@ -109,6 +103,8 @@ class AppState {
   const std::vector<Iteration>& history() const { return history_; }
   // How the newest finished solve ended; null while a solve of another state is under way for the first time.
   const SolveReport* report() const { return report_ ? &*report_ : nullptr; }
+  // What each energy adds to the objective: of the newest step while a solve runs, else of the report.
+  const std::vector<SolveReport::Energy>& energies() const { return energies_; }
   // All shown work belongs to the newest change, and nothing is under way.
   bool settled() const;
   double milliseconds_per_step() const;  // mean over the history; 0 if unknown
@@ -144,6 +140,7 @@ class AppState {
   void document_changed();
   void refresh_mesh_view();
   bool drain();
+  void take_energies();
   void take_outcome(SolveOutcome outcome);
   bool show_prepared();
   bool view_range_locked() const;
@@ -160,12 +157,14 @@ class AppState {
 
   Vector3d scene_origin_ = Vector3d::Zero();
   std::shared_ptr<const MeshView> mesh_view_;
+  std::shared_ptr<const PreparedGhost> ghost_;
 
   std::shared_ptr<const Iterate> newest_;  // the newest state that any solve of this design delivered
   std::shared_ptr<const PreparedView> shown_;
   std::vector<Iteration> history_;
   std::uint64_t history_ticket_ = 0;
   std::optional<SolveReport> report_;
+  std::vector<SolveReport::Energy> energies_;
   std::uint64_t finished_ticket_ = 0;  // its outcome was taken
   bool outcome_failed_ = false;        // that outcome had no state to show
   int iterates_before_end_ = 0;

@@ -7,6 +7,7 @@
 
 #include "ui/format.h"
 #include "ui/panels.h"
+#include "ui/viewport.h"
 
 namespace planewright::ui {
 namespace {
@@ -161,22 +162,26 @@ void draw_about_card(Desk& desk) {
 void draw_hint(Desk& desk, const Rect& viewport) {
   if (!desk.window.settings.show_hint || desk.state.document().empty()) return;
   Ui& ui = desk.ui;
-  const float width = std::min(ui.px(310), viewport.width() - ui.px(24));
+  const float width = std::min(ui.px(232), viewport.width() - ui.px(24));
   if (width < ui.px(200)) return;
-  // Under the badge, where a model seldom is.
-  if (begin_card(ui, "##hint", ImVec2(viewport.min.x + ui.px(12), viewport.min.y + ui.px(48)), ImVec2(0, 0),
-                 width)) {
+  // In the corner where a model seldom is; the legend of the colours has its place below.
+  const bool legend = desk.state.shown() && desk.state.view_options.colours != ColourMap::None;
+  const float above = legend ? legend_height(ui) + ui.px(8) : 0.0f;
+  if (begin_card(ui, "##hint", ImVec2(viewport.min.x + ui.px(12), viewport.max.y - ui.px(12) - above),
+                 ImVec2(0, 1), width)) {
     const Ui::Scope scope(ui, "Hint");
     ui.heading("What to try");
     if (close_cross(ui, "close")) desk.window.settings.show_hint = false;
     const auto line = [&](const char* number, const char* text) {
+      ImGui::PushFont(ui.theme().small());
       ui.text(number, ui.colours().accent);
-      ImGui::SameLine(ui.px(34));
-      ui.wrapped(text);
+      ImGui::SameLine(ui.px(28));
+      ui.text(text);
+      ImGui::PopFont();
     };
-    line("1", "Drag the weight of Fairing on the left: the panels follow while the solver runs.");
-    line("2", "Click a blue edge of the input: it flips, and the panels are solved again.");
-    line("3", "Drop your own mesh on the window: OBJ, OFF, PLY or STL.");
+    line("1", "Drag a weight: the panels follow.");
+    line("2", "Click a blue edge: it flips.");
+    line("3", "Drop your own mesh here.");
   }
   end_card();
 }

@@ -11,10 +11,8 @@ namespace {
 
 // The part of the objective that an energy makes up; < 0 when that is not known.
 double share_of(const AppState& state, const std::string& energy) {
-  const SolveReport* report = state.report();
-  if (report == nullptr) return -1;
   double total = 0, own = -1;
-  for (const SolveReport::Energy& e : report->energies) {
+  for (const SolveReport::Energy& e : state.energies()) {
     total += std::abs(e.value);
     if (e.name == energy) own = std::abs(e.value);
   }

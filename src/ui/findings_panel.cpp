@@ -84,13 +84,13 @@ void draw_ill_determined(Desk& desk) {
 
 void draw_energy_table(Desk& desk) {
   Ui& ui = desk.ui;
-  const SolveReport* report = desk.state.report();
-  if (report == nullptr || report->energies.empty()) {
-    ui.small_text("Known after a solve.");
+  const std::vector<SolveReport::Energy>& energies = desk.state.energies();
+  if (energies.empty()) {
+    ui.small_text("Known after the first step of a solve.");
     return;
   }
   double total = 0;
-  for (const SolveReport::Energy& energy : report->energies) total += energy.value;
+  for (const SolveReport::Energy& energy : energies) total += energy.value;
   const float width = ImGui::GetContentRegionAvail().x;
   const float columns[] = {0, 0.52f * width, 0.78f * width, width};
   const float row = ImGui::GetTextLineHeight() + ui.px(4);
@@ -109,7 +109,7 @@ void draw_energy_table(Desk& desk) {
     ImGui::Dummy(ImVec2(0, row - ImGui::GetStyle().ItemSpacing.y + ui.px(2)));
   };
   line("energy", "weight", "value", "share", ui.theme().small(), ui.colours().ink_faint);
-  for (const SolveReport::Energy& energy : report->energies) {
+  for (const SolveReport::Energy& energy : energies) {
     std::string label = energy.name;
     for (const EnergyInfo& known : energy_catalogue()) {
       if (known.name == energy.name) label = known.label;

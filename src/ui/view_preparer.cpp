@@ -26,7 +26,7 @@ std::uint64_t fingerprint(const Points& points) {
 
 }  // namespace
 
-PreparedView prepare_view(const PrepareJob& job) {
+PreparedView prepare_view(const PrepareJob& job, std::shared_ptr<const render::PanelGeometry> before) {
   const Stopwatch watch;
   const TangentComplex& complex = *job.iterate->complex;
   const State& state = job.iterate->state;
@@ -36,6 +36,7 @@ PreparedView prepare_view(const PrepareJob& job) {
   view.final = job.final;
   const Vector3d shift = complex.origin - job.scene_origin;
   view.points = state.x.rowwise() + shift.transpose();
+  view.panels = render::make_panel_arrays(view.points, complex.panels, std::move(before));
   view.planarity = measure_planarity(state.x, complex.panels);
   view.displacement = measure_displacement(state.x, complex.preferred);
   view.ill_determined = find_ill_determined(complex, state);
@@ -53,27 +54,44 @@ struct ViewPreparer::Impl {
   std::mutex mutex;  // held only while pointers move
   std::condition_variable_any changed;
   std::optional<PrepareJob> waiting;
+  std::shared_ptr<const MeshView> waiting_mesh;
   std::shared_ptr<const PreparedView> ready;
+  std::shared_ptr<const PreparedGhost> ready_ghost;
   std::jthread worker;  // last member: joins before the rest goes
 
-  void run(const std::stop_token& stop) {
-    for (;;) {
-      PrepareJob job;
-      {
-        std::unique_lock lock(mutex);
-        if (!changed.wait(lock, stop, [&] { return waiting.has_value(); })) return;
-        job = std::move(*waiting);
-        waiting.reset();
-      }
-      auto view = std::make_shared<const PreparedView>(prepare_view(job));
-      {
-        const std::lock_guard lock(mutex);
-        std::swap(ready, view);
-      }
-      if (wake) wake();
+  void run(const std::stop_token& stop);
+  template <class T>
+  void deliver(std::shared_ptr<const T>& to, std::shared_ptr<const T> made) {
+    {
+      const std::lock_guard lock(mutex);
+      std::swap(to, made);  // the old one is freed outside the lock
     }
+    if (wake) wake();
   }
 };
+
+void ViewPreparer::Impl::run(const std::stop_token& stop) {
+  std::shared_ptr<const render::PanelGeometry> geometry;  // of the last view
+  for (;;) {
+    std::optional<PrepareJob> job;
+    std::shared_ptr<const MeshView> mesh;
+    {
+      std::unique_lock lock(mutex);
+      if (!changed.wait(lock, stop, [&] { return waiting || waiting_mesh; })) return;
+      mesh = std::exchange(waiting_mesh, nullptr);
+      if (!mesh) job = std::exchange(waiting, std::nullopt);
+    }
+    if (mesh) {
+      auto arrays = render::make_ghost_arrays(mesh->points, mesh->faces);
+      deliver(ready_ghost,
+              std::make_shared<const PreparedGhost>(PreparedGhost{std::move(mesh), std::move(arrays)}));
+    } else {
+      auto view = std::make_shared<const PreparedView>(prepare_view(*job, std::move(geometry)));
+      geometry = view->panels.geometry;
+      deliver(ready, std::move(view));
+    }
+  }
+}
 
 ViewPreparer::ViewPreparer(std::function<void()> wake) : impl_(std::make_unique<Impl>()) {
   impl_->wake = std::move(wake);
@@ -91,9 +109,22 @@ void ViewPreparer::submit(PrepareJob job) {
   impl_->changed.notify_one();
 }
 
+void ViewPreparer::submit(std::shared_ptr<const MeshView> mesh) {
+  {
+    const std::lock_guard lock(impl_->mutex);
+    std::swap(impl_->waiting_mesh, mesh);
+  }
+  impl_->changed.notify_one();
+}
+
 std::shared_ptr<const PreparedView> ViewPreparer::take() {
   const std::lock_guard lock(impl_->mutex);
   return std::exchange(impl_->ready, nullptr);
+}
+
+std::shared_ptr<const PreparedGhost> ViewPreparer::take_ghost() {
+  const std::lock_guard lock(impl_->mutex);
+  return std::exchange(impl_->ready_ghost, nullptr);
 }
 
 }  // namespace planewright::ui

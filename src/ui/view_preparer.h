@@ -3,9 +3,10 @@
 // Measuring 10,000 panels (planarity, displacement, determinacy) takes longer than a frame may; so a worker
 // takes the newest iterate, and the window's thread picks up arrays that are ready to upload. Iterates that
 // arrive while one is being prepared replace each other; the last one of a solve is never replaced by an
-// earlier one.
+// earlier one. The same worker makes the ghost's arrays from the mesh being designed on, before anything
+// else.
 //
-// Threads: submit() and take() from the window's thread; neither waits for the worker's computing.
+// Threads: submit() and the takes from the window's thread; neither waits for the worker's computing.
 // Units: model units; positions relative to the scene's origin.
 #pragma once
 
@@ -16,6 +17,8 @@
 #include "core/diagnose/ill_determined.h"
 #include "core/diagnose/planarity.h"
 #include "core/solve/solve_session.h"
+#include "ui/mesh_view.h"
+#include "ui/render/panel_arrays.h"
 
 namespace planewright::ui {
 
@@ -28,7 +31,8 @@ struct PrepareJob {
 struct PreparedView {
   std::shared_ptr<const Iterate> iterate;
   bool final = false;
-  Points points;  // #X x 3, scene coordinates
+  Points points;               // #X x 3, scene coordinates
+  render::PanelArrays panels;  // of these points, for the renderer
   Planarity planarity;
   Displacement displacement;
   std::vector<IllDetermined> ill_determined;
@@ -40,7 +44,13 @@ struct PreparedView {
   const TangentComplex& complex() const { return *iterate->complex; }
 };
 
-PreparedView prepare_view(const PrepareJob& job);
+// `before`: the geometry of an earlier view; kept where the panels are the same.
+PreparedView prepare_view(const PrepareJob& job, std::shared_ptr<const render::PanelGeometry> before = {});
+
+struct PreparedGhost {
+  std::shared_ptr<const MeshView> mesh;
+  render::GhostArrays arrays;
+};
 
 class ViewPreparer {
  public:
@@ -51,8 +61,10 @@ class ViewPreparer {
   ViewPreparer& operator=(const ViewPreparer&) = delete;
 
   void submit(PrepareJob job);
+  void submit(std::shared_ptr<const MeshView> mesh);
   // The newest view that was not taken yet, or null.
   std::shared_ptr<const PreparedView> take();
+  std::shared_ptr<const PreparedGhost> take_ghost();
 
  private:
   struct Impl;

@@ -18,6 +18,7 @@ namespace {
 constexpr float kClickSlop = 4;      // pixels at scale 1 that a click may wander
 constexpr float kEdgeReach = 7;      // pixels at scale 1 within which an edge is hit
 constexpr double kSlowPicture = 28;  // milliseconds above which a moving picture is drawn coarser
+constexpr float kLegendBar = 10;     // height of the legend's colours at scale 1
 constexpr double kZoomPerNotch = 1.15;
 
 // The texture and depth buffer that the model is drawn into.
@@ -98,6 +99,10 @@ bool same(const std::optional<render::ColourScale>& a, const std::optional<rende
 
 }  // namespace
 
+float legend_height(const Ui& ui) {
+  return 2 * ui.theme().small()->FontSize + ui.px(kLegendBar) + 3 * ui.px(8);
+}
+
 struct Viewport::Impl {
   explicit Impl(render::Renderer r) : renderer(std::move(r)) {}
 
@@ -110,7 +115,7 @@ struct Viewport::Impl {
   // What the renderer holds.
   std::shared_ptr<const MeshView> mesh;
   std::shared_ptr<const PreparedView> shown;
-  std::shared_ptr<const TangentComplex> drawn_complex;
+  std::shared_ptr<const PreparedGhost> drawn_ghost;
   render::PolygonLayer occluder;     // the ghost's faces, for picking
   render::PolygonLayer panel_layer;  // the panels as shown, for picking
   ColourMap colours = ColourMap::None;
@@ -156,11 +161,12 @@ struct Viewport::Impl {
                              kEdgeReach * scale_factor * pixel_ratio, &occluder);
   }
 
-  void set_values(Vector& per_panel, Vector& per_point) const {
-    per_panel.resize(0);
-    per_point.resize(0);
-    if (colours == ColourMap::Planarity) per_panel = shown->planarity.per_panel;
-    if (colours == ColourMap::Displacement) per_point = shown->displacement.per_point;
+  void show(std::shared_ptr<const PreparedView> view);
+  // Per panel and per point; what the colours do not ask for is empty.
+  std::pair<Vector, Vector> values() const {
+    if (colours == ColourMap::Planarity) return {shown->planarity.per_panel, Vector()};
+    if (colours == ColourMap::Displacement) return {Vector(), shown->displacement.per_point};
+    return {};
   }
 
   void upload_marks(const AppState& state);
@@ -213,38 +219,21 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
     }
     v.hover_probe = {-1, -1};
   }
-  if (new_mesh || new_view || new_colours) {
-    v.shown = state.shown();
-    const bool same_panels = v.shown && v.drawn_complex && !new_mesh &&
-                             v.panel_layer.points.rows() == v.shown->points.rows() &&
-                             (v.drawn_complex == v.shown->iterate->complex ||
-                              v.drawn_complex->panels == v.shown->complex().panels);
-    if (v.shown) {
-      v.panel_layer.points = v.shown->points;
-      v.set_values(v.panel_layer.polygon_values, v.panel_layer.point_values);
-    }
-    if (same_panels) {
-      v.drawn_complex = v.shown->iterate->complex;
-      v.renderer.update_panel_points(v.panel_layer.points, v.panel_layer.polygon_values,
-                                     v.panel_layer.point_values);
-    } else {
-      render::Scene scene;
-      if (v.mesh) scene.ghost = v.occluder;
-      v.drawn_complex.reset();
-      if (v.shown) {
-        v.drawn_complex = v.shown->iterate->complex;
-        v.panel_layer.polygons = v.drawn_complex->panels;
-        scene.panels = v.panel_layer;
-      } else {
-        v.panel_layer = {};
-      }
-      v.renderer.set_scene(scene);
-      v.scale.reset();
-    }
-    v.marks_stale = true;
-    v.dirty = true;
-    streamed = new_view;
+  if (v.drawn_ghost != state.ghost()) {
+    v.drawn_ghost = state.ghost();
+    v.renderer.set_ghost(
+        v.drawn_ghost ? std::shared_ptr<const render::GhostArrays>(v.drawn_ghost, &v.drawn_ghost->arrays)
+                      : nullptr);
+    v.dirty = streamed = true;
   }
+  if (new_view) {
+    v.show(state.shown());
+    streamed = true;
+  } else if (new_colours && v.shown) {
+    const auto [per_panel, per_point] = v.values();
+    v.renderer.set_panel_values(per_panel, per_point);
+  }
+  if (new_mesh || new_view || new_colours) v.marks_stale = v.dirty = true;
 
   std::optional<render::ColourScale> scale;
   if (v.shown && v.colours != ColourMap::None) scale = colour_scale(state, unit);
@@ -265,6 +254,20 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
     fit(state);
   }
   if (streamed) state.timings.upload.add(watch.milliseconds());
+}
+
+void Viewport::Impl::show(std::shared_ptr<const PreparedView> view) {
+  const auto cut_before = shown ? shown->panels.geometry : nullptr;
+  shown = std::move(view);
+  if (!shown) {
+    panel_layer = {};
+    renderer.set_panels({}, {}, {});
+    return;
+  }
+  panel_layer.points = shown->points;
+  if (shown->panels.geometry != cut_before) panel_layer.polygons = shown->panels.geometry->polygons;
+  const auto [per_panel, per_point] = values();
+  renderer.set_panels(shown->panels, per_panel, per_point);
 }
 
 void Viewport::Impl::upload_marks(const AppState& state) {
@@ -581,8 +584,8 @@ void Viewport::Impl::draw_badge(Ui& ui, const AppState& state, const std::string
 void Viewport::Impl::draw_legend(Ui& ui, ImDrawList& draw) const {
   const Palette& p = ui.colours();
   ImFont* font = ui.theme().small();
-  const float width = ui.px(260), bar = ui.px(10), pad = ui.px(12);
-  const float height = 2 * font->FontSize + bar + ui.px(8) + 2 * ui.px(8);
+  const float width = ui.px(260), bar = ui.px(kLegendBar), pad = ui.px(12);
+  const float height = legend_height(ui);
   const ImVec2 min(place.min.x + ui.px(12), place.max.y - ui.px(12) - height);
   const ImVec2 max(min.x + width + 2 * pad, min.y + height);
   draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(5));

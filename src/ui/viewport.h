@@ -20,6 +20,9 @@
 
 namespace planewright::ui {
 
+// Of the colours' legend at the bottom left.
+float legend_height(const Ui& ui);
+
 class Viewport {
  public:
   static Result<Viewport> create();

@@ -122,6 +122,53 @@ TEST(AppState, FlipsSolveAgainAndRefusalsAreMessages) {
   EXPECT_LE(state.shown()->planarity.max_relative_to_bbox, 1e-9);
 }
 
+TEST(AppState, EnergiesAreKnownFromTheFirstStepOn) {
+  AppState state;
+  state.open_sample("torus", 2000);
+  EXPECT_TRUE(state.energies().empty());
+  ASSERT_TRUE(run_until(state, [&] { return state.history().size() >= 2; }));
+  ASSERT_FALSE(state.energies().empty());
+  const auto objective = [&] {
+    double sum = 0;
+    for (const SolveReport::Energy& energy : state.energies()) sum += energy.value;
+    return sum;
+  };
+  if (state.solving() && !state.history().back().restoration) {
+    EXPECT_NEAR(objective(), state.history().back().objective, 1e-6 * (1 + objective()));
+  }
+  ASSERT_TRUE(settle(state));
+  ASSERT_EQ(state.energies().size(), state.report()->energies.size());
+  for (std::size_t i = 0; i < state.energies().size(); ++i) {
+    EXPECT_EQ(state.energies()[i].value, state.report()->energies[i].value);
+  }
+}
+
+TEST(AppState, TheGhostAndThePanelsComeReadyToDraw) {
+  AppState state;
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(settle(state));
+  ASSERT_TRUE(state.ghost());
+  EXPECT_EQ(state.ghost()->mesh, state.mesh_view());
+  EXPECT_EQ(state.ghost()->arrays.lines.indices.size(), 6 * state.mesh_view()->edges.size());
+  const auto panels = state.shown()->panels.geometry;
+  EXPECT_EQ(panels->polygons, state.shown()->complex().panels);
+
+  state.change_settings(with_fairing(state, 2.0), "Weight of fairing");
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.shown()->panels.geometry->polygons, panels->polygons);
+  const auto ghost = state.ghost();
+
+  int edge = 0;
+  while (!state.document().may_flip(edge)) ++edge;
+  ASSERT_TRUE(state.flip_edge(edge));
+  EXPECT_FALSE(state.settled());
+  ASSERT_TRUE(settle(state));
+  EXPECT_NE(state.ghost(), ghost);
+  EXPECT_EQ(state.ghost()->mesh, state.mesh_view());
+  EXPECT_NE(state.shown()->panels.geometry, panels);
+  EXPECT_EQ(state.shown()->panels.geometry->polygons, state.shown()->complex().panels);
+}
+
 TEST(AppState, ABadFileLosesNothing) {
   const auto path = temporary("bad.obj");
   std::ofstream(path) << "v 0 0 0\nv one 0 0\n";

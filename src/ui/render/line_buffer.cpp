@@ -1,29 +1,11 @@
 #include "ui/render/line_buffer.h"
 
-#include <array>
-#include <cstdint>
-
-#include "ui/render/edge_list.h"
-
 namespace planewright::render {
 
-LineBuffer::LineBuffer(const std::vector<Vector3d>& ends) : count_(static_cast<int>(ends.size() / 2)) {
+LineBuffer::LineBuffer(const LineArrays& arrays) : index_count_(static_cast<int>(arrays.indices.size())) {
   if (empty()) return;
-  std::vector<std::array<float, 6>> vertices;
-  std::vector<std::uint32_t> indices;
-  vertices.reserve(4 * static_cast<size_t>(count_));
-  indices.reserve(6 * static_cast<size_t>(count_));
-  for (int i = 0; i < count_; ++i) {
-    std::array<float, 6> line;
-    for (int k = 0; k < 3; ++k) {
-      line[k] = static_cast<float>(ends[2 * i][k]);
-      line[k + 3] = static_cast<float>(ends[2 * i + 1][k]);
-    }
-    vertices.insert(vertices.end(), 4, line);
-    const auto first = static_cast<std::uint32_t>(4 * i);
-    for (std::uint32_t corner : {0u, 1u, 2u, 2u, 1u, 3u}) indices.push_back(first + corner);
-  }
-
+  const auto& vertices = arrays.vertices;
+  const auto& indices = arrays.indices;
   arrays_ = GlVertexArray::create();
   ends_ = GlBuffer::create();
   indices_ = GlBuffer::create();
@@ -47,19 +29,8 @@ LineBuffer::LineBuffer(const std::vector<Vector3d>& ends) : count_(static_cast<i
 void LineBuffer::draw() const {
   if (empty()) return;
   glBindVertexArray(arrays_.get());
-  glDrawElements(GL_TRIANGLES, 6 * count_, GL_UNSIGNED_INT, nullptr);
+  glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
   glBindVertexArray(0);
-}
-
-std::vector<Vector3d> edge_ends(const PolygonLayer& layer) {
-  std::vector<Vector3d> ends;
-  const EdgeList list = list_edges(layer.polygons);
-  ends.reserve(2 * list.edges.size());
-  for (const EdgeUse& edge : list.edges) {
-    ends.emplace_back(layer.points.row(edge.a).transpose());
-    ends.emplace_back(layer.points.row(edge.b).transpose());
-  }
-  return ends;
 }
 
 }  // namespace planewright::render

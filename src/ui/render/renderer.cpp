@@ -8,7 +8,6 @@
 
 #include "ui/render/colour_map.h"
 #include "ui/render/gl_objects.h"
-#include "ui/render/ground_shadow.h"
 #include "ui/render/line_buffer.h"
 #include "ui/render/palette.h"
 #include "ui/render/panel_buffer.h"
@@ -19,7 +18,7 @@ namespace {
 
 constexpr float kPanelLine = 1.2f, kGhostLine = 1.0f;  // pixels
 constexpr float kSegmentLine[] = {3.0f, 3.5f, 4.0f};   // by Segment::Kind
-constexpr float kMarkerRadius[] = {5.0f, 5.5f, 5.0f};  // by Marker::Kind, pixels
+constexpr float kMarkerRadius[] = {2.9f, 3.3f, 4.6f};  // by Marker::Kind, pixels
 constexpr float kThrough = 0.22f;                      // strength of marks behind geometry
 
 // What the shaders need to know of the camera and the rectangle that is drawn.
@@ -147,12 +146,6 @@ void begin_lying_back() {
   glPolygonOffset(1.0f, 1.0f);
 }
 
-double mean_length(const std::vector<Vector3d>& ends) {
-  double sum = 0.0;
-  for (size_t i = 0; i + 1 < ends.size(); i += 2) sum += (ends[i + 1] - ends[i]).norm();
-  return ends.empty() ? 0.0 : 2.0 * sum / static_cast<double>(ends.size());
-}
-
 // The time of the latest change among the files of a folder.
 std::filesystem::file_time_type latest_change(const std::filesystem::path& folder) {
   auto latest = std::filesystem::file_time_type::min();
@@ -175,17 +168,16 @@ struct Renderer::Impl {
   GlTexture map;
 
   PanelBuffer panels, ghost;
-  std::optional<PolygonLayer> ghost_layer;  // what `ghost` was made from
+  std::shared_ptr<const GhostArrays> ghost_arrays;  // what `ghost` was made from
   LineBuffer ghost_lines;
-  float ghost_edge = 0.0f;  // mean length, scene units
-  std::optional<GroundShadow> shadow;
+  std::optional<GroundShadow> panel_shadow,
+      shadow;  // of the panels; as drawn: the ghost's where there are none
   GlTexture shadow_picture;
   LineBuffer segments[3];  // by Segment::Kind
   MarkerBuffer markers;
   std::optional<ColourScale> colours;
 
-  void set_ghost(const std::optional<PolygonLayer>& layer);
-  void set_shadow(const Scene& scene);
+  void update_shadow();
   void draw_backdrop(const Palette& palette) const;
   void draw_shadow(const Frame& frame, const Palette& palette) const;
   void draw_ghost_faces(const Frame& frame, const Palette& palette) const;
@@ -297,14 +289,14 @@ void Renderer::Impl::begin_lines(const Frame& frame) const {
 // panels stay legible, while the far side of the model does not shine through. One pass does for both; lines
 // are what costs most on a software renderer.
 void Renderer::Impl::draw_ghost_lines(const Frame& frame, const Palette& palette) const {
-  if (ghost_lines.empty()) return;
+  if (!ghost_arrays || ghost_lines.empty()) return;
   begin_lines(frame);
   const ShaderProgram& p = programs.line;
   const bool alone = panels.empty();
   p.set("line_width", kGhostLine * frame.pixel_scale);
   p.set("fade_below", 24.0f * frame.pixel_scale);
   p.set("lift_pixels", 0.5f * frame.pixel_scale);
-  p.set("lift", alone ? 0.0f : 0.35f * ghost_edge);
+  p.set("lift", alone ? 0.0f : 0.35f * ghost_arrays->mean_edge);
   p.set("tint", glm::vec4(palette.ghost, alone ? 0.75f : 0.42f));
   ghost_lines.draw();
 }
@@ -383,41 +375,49 @@ Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
 
-// The input seldom changes while the panels do, so it is kept when it is the same.
-void Renderer::Impl::set_ghost(const std::optional<PolygonLayer>& layer) {
-  const auto same = [](const PolygonLayer& a, const PolygonLayer& b) {
-    return a.points.rows() == b.points.rows() && a.points == b.points && a.polygons == b.polygons;
-  };
-  if (layer.has_value() == ghost_layer.has_value() && (!layer || same(*layer, *ghost_layer))) return;
-  ghost_layer.reset();  // should an upload fail
-  ghost = layer ? PanelBuffer(*layer) : PanelBuffer();
-  const std::vector<Vector3d> ends = layer ? edge_ends(*layer) : std::vector<Vector3d>();
-  ghost_lines = LineBuffer(ends);
-  ghost_edge = static_cast<float>(mean_length(ends));
-  ghost_layer = layer;
-}
-
-void Renderer::Impl::set_shadow(const Scene& scene) {
-  shadow.reset();
-  if (scene.panels) shadow = make_ground_shadow(scene.panels->points, panels.geometry().corners);
-  if (!shadow && scene.ghost) shadow = make_ground_shadow(scene.ghost->points, ghost.geometry().corners);
+void Renderer::Impl::update_shadow() {
+  shadow = panel_shadow;
+  if (!shadow && ghost_arrays) shadow = ghost_arrays->faces.shadow;
   if (!shadow) return;
   shadow_picture =
       make_texture(GL_R8, GL_RED, GroundShadow::kCells, GroundShadow::kCells, shadow->darkness.data());
 }
 
 void Renderer::set_scene(const Scene& scene) {
-  impl_->panels = scene.panels ? PanelBuffer(*scene.panels) : PanelBuffer();
-  impl_->set_ghost(scene.ghost);
-  impl_->set_shadow(scene);
+  if (const auto& layer = scene.ghost) {
+    set_ghost(std::make_shared<const GhostArrays>(make_ghost_arrays(layer->points, layer->polygons)));
+  } else {
+    set_ghost(nullptr);
+  }
+  if (const auto& layer = scene.panels) {
+    set_panels(make_panel_arrays(layer->points, layer->polygons), layer->polygon_values, layer->point_values);
+  } else {
+    set_panels({}, {}, {});
+  }
   set_markers(scene.markers, scene.segments);
   set_colours(scene.colours);
   check_gl("uploading the scene");
 }
 
-void Renderer::update_panel_points(const Points& points, const Vector& polygon_values,
-                                   const Vector& point_values) {
-  impl_->panels.update(points, polygon_values, point_values);
+void Renderer::set_panels(const PanelArrays& panels, const Vector& polygon_values,
+                          const Vector& point_values) {
+  impl_->panels.set(panels);
+  impl_->panels.set_values(polygon_values, point_values);
+  impl_->panel_shadow = panels.shadow;
+  impl_->update_shadow();
+}
+
+void Renderer::set_panel_values(const Vector& polygon_values, const Vector& point_values) {
+  impl_->panels.set_values(polygon_values, point_values);
+}
+
+void Renderer::set_ghost(std::shared_ptr<const GhostArrays> ghost) {
+  if (ghost == impl_->ghost_arrays) return;
+  impl_->ghost_arrays.reset();  // should an upload fail
+  impl_->ghost.set(ghost ? ghost->faces : PanelArrays());
+  impl_->ghost_lines = ghost ? LineBuffer(ghost->lines) : LineBuffer();
+  impl_->ghost_arrays = std::move(ghost);
+  impl_->update_shadow();
 }
 
 void Renderer::set_markers(const std::vector<Marker>& markers, const std::vector<Segment>& segments) {
@@ -428,7 +428,8 @@ void Renderer::set_markers(const std::vector<Marker>& markers, const std::vector
     list.push_back(segment.a);
     list.push_back(segment.b);
   }
-  for (size_t kind = 0; kind < std::size(ends); ++kind) impl_->segments[kind] = LineBuffer(ends[kind]);
+  for (size_t kind = 0; kind < std::size(ends); ++kind)
+    impl_->segments[kind] = LineBuffer(make_line_arrays(ends[kind]));
 }
 
 void Renderer::set_colours(const std::optional<ColourScale>& colours) {

@@ -7,8 +7,8 @@
 // context. Failure: std::runtime_error when the GPU has no memory left for an upload; in debug builds also
 // when drawing raised an OpenGL error.
 //
-// Streaming: set_scene() once per complex (triangulates), then update_panel_points() per iterate, which only
-// re-uploads positions: about 1 ms for 10,000 panels.
+// Streaming: set_scene() triangulates, which is for still pictures. A window makes PanelArrays and
+// GhostArrays on another thread; set_panels() and set_ghost() copy them and nothing more.
 #pragma once
 
 #include <filesystem>
@@ -19,6 +19,7 @@
 
 #include "core/base/result.h"
 #include "ui/render/camera.h"
+#include "ui/render/panel_arrays.h"
 #include "ui/render/scene.h"
 
 namespace planewright::render {
@@ -43,9 +44,12 @@ class Renderer {
   ~Renderer();
 
   void set_scene(const Scene& scene);  // everything
-  // As many points as the scene's panels have (else, in release builds, nothing changes). Empty values: plain
-  // card.
-  void update_panel_points(const Points& points, const Vector& polygon_values, const Vector& point_values);
+  // The panels in another state, with or without other polygons; arrays without geometry: no panels. Empty
+  // values: plain card. Triangles go to the GPU only where panels.geometry is another object than before.
+  void set_panels(const PanelArrays& panels, const Vector& polygon_values, const Vector& point_values);
+  void set_panel_values(const Vector& polygon_values, const Vector& point_values);
+  // Null: none. Handing over the same object again costs nothing.
+  void set_ghost(std::shared_ptr<const GhostArrays> ghost);
   void set_markers(const std::vector<Marker>& markers, const std::vector<Segment>& segments);
   void set_colours(const std::optional<ColourScale>& colours);
 

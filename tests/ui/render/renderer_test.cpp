@@ -223,7 +223,7 @@ TEST_F(RendererTest, MarkersShowTheirKindAndShineThroughFaintly) {
   options.camera = nearer;
   const Image near_image = drawn(scene, options);
   const glm::vec2 middle = nearer.project({0.5, 0.5, 0});
-  EXPECT_LT(distance(pixel(near_image, middle + glm::vec2(3, 0)), palette.error), 0.05f);
+  EXPECT_LT(distance(pixel(near_image, middle + glm::vec2(2, 0)), palette.error), 0.05f);
   EXPECT_GT(distance(pixel(near_image, middle + glm::vec2(10, 0)), palette.error), 0.3f);
 }
 
@@ -281,21 +281,75 @@ TEST_F(RendererTest, UpdatedPointsAreWhereTheyAreDrawn) {
   ASSERT_TRUE(before);
   Points moved = scene.panels->points;
   moved(2, 0) = moved(5, 0) = 1.2;
-  renderer->update_panel_points(moved, {}, {});
+  renderer->set_panels(make_panel_arrays(moved, scene.panels->polygons), {}, {});
   const auto after = draw_image(*renderer, {}, options);
   ASSERT_TRUE(after);
   EXPECT_LT(distance(at(*before, options, {1.6, 0.5, 0}), palette_of({}).card), 0.2f);
-  EXPECT_GT(distance(at(*after, options, {1.6, 0.5, 0}), at(*before, options, {1.6, 0.5, 0})), 0.03f);
+  EXPECT_GT(distance(at(*after, options, {1.6, 0.5, 0}), at(*before, options, {1.6, 0.5, 0})), 0.02f);
   EXPECT_LT(distance(at(*after, options, {1.1, 0.4, 0}), palette_of({}).card), 0.2f);
 
   Vector values(2);
   values << 0.0, 1.0;
   renderer->set_colours(ColourScale{0.0, 1.0, "Planarity", "mm", {}});
-  renderer->update_panel_points(scene.panels->points, values, {});
+  renderer->set_panels(make_panel_arrays(scene.panels->points, scene.panels->polygons), values, {});
   const auto coloured = draw_image(*renderer, {}, options);
   ASSERT_TRUE(coloured);
   EXPECT_LT(grey(at(*coloured, options, {0.5, 0.4, 0})), 0.35f);
   EXPECT_GT(grey(at(*coloured, options, {1.5, 0.4, 0})), 0.6f);
+  std::swap(values[0], values[1]);
+  renderer->set_panel_values(values, {});
+  const auto swapped = draw_image(*renderer, {}, options);
+  ASSERT_TRUE(swapped);
+  EXPECT_GT(grey(at(*swapped, options, {0.5, 0.4, 0})), 0.6f);
+  EXPECT_LT(grey(at(*swapped, options, {1.5, 0.4, 0})), 0.35f);
+}
+
+TEST_F(RendererTest, ArraysFromElsewhereDrawTheSamePictureAsAScene) {
+  const auto context = EglContext::create();
+  ASSERT_TRUE(context);
+  auto whole = Renderer::create(), parts = Renderer::create();
+  ASSERT_TRUE(whole && parts);
+  Scene scene;
+  scene.panels = torus(9, 7);
+  scene.ghost = torus(11, 8);
+  const PictureOptions options = from_above(scene);
+
+  // Other panels, then none, and another ghost come first: nothing of them may stay.
+  const PolygonLayer other = letter_l();
+  parts->set_panels(make_panel_arrays(other.points, other.polygons), {}, {});
+  parts->set_ghost(std::make_shared<const GhostArrays>(make_ghost_arrays(other.points, other.polygons)));
+  parts->set_panels({}, {}, {});
+  parts->set_ghost(nullptr);
+  const auto nothing = draw_image(*parts, {}, options);
+  ASSERT_TRUE(nothing);
+  EXPECT_TRUE(nothing->rgba == drawn({}, options).rgba);
+
+  whole->set_scene(scene);
+  parts->set_ghost(
+      std::make_shared<const GhostArrays>(make_ghost_arrays(scene.ghost->points, scene.ghost->polygons)));
+  parts->set_panels(make_panel_arrays(scene.panels->points, scene.panels->polygons), {}, {});
+  const auto a = draw_image(*whole, {}, options), b = draw_image(*parts, {}, options);
+  ASSERT_TRUE(a && b);
+  EXPECT_TRUE(a->rgba == b->rgba);
+  EXPECT_FALSE(a->rgba == nothing->rgba);
+}
+
+TEST_F(RendererTest, HandsTenThousandPanelsOverInLittleTime) {
+  const auto context = EglContext::create();
+  ASSERT_TRUE(context);
+  auto renderer = Renderer::create();
+  ASSERT_TRUE(renderer);
+  const PolygonLayer layer = torus(100, 100), turned = torus(100, 101);
+  const PanelArrays arrays[] = {make_panel_arrays(layer.points, layer.polygons),
+                                make_panel_arrays(turned.points, turned.polygons)};
+  double best = 1e9;
+  for (int i = 0; i < 6; ++i) {
+    const auto start = std::chrono::steady_clock::now();
+    renderer->set_panels(arrays[i % 2], {}, {});  // other polygons each time
+    const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
+    best = std::min(best, taken.count());
+  }
+  EXPECT_LT(best, 5.0);  // milliseconds
 }
 
 TEST_F(RendererTest, PanelsThatBecomeConcaveKeepTheirOutline) {
@@ -309,7 +363,10 @@ TEST_F(RendererTest, PanelsThatBecomeConcaveKeepTheirOutline) {
   renderer->set_scene(scene);
   // The notch moves from the upper right to the upper left.
   const Points moved = rows({{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}});
-  renderer->update_panel_points(moved, {}, {});
+  renderer->set_panels(
+      make_panel_arrays(moved, scene.panels->polygons,
+                        make_panel_arrays(scene.panels->points, scene.panels->polygons).geometry),
+      {}, {});
   const auto image = draw_image(*renderer, {}, options);
   ASSERT_TRUE(image);
   const glm::vec3 face = at(*image, options, {0.7, 0.4, 0});
