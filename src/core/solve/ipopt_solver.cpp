@@ -381,18 +381,36 @@ class IpoptSolver final : public Solver {
       outcome = {SolveStatus::Failed, "out of memory"};
     }
 
-    SolveReport report;
-    report.solver = "ipopt";
-    report.status = outcome.status;
-    report.stop_reason = outcome.reason;
-    report.iterations = adapter->iterations;
-    finish_solve(problem, adapter->best.z, adapter->best.multipliers, options, report);
+    const auto finished = [&](const Vector& at, const Vector& multipliers) {
+      SolveReport report;
+      report.solver = "ipopt";
+      report.status = outcome.status;
+      report.stop_reason = outcome.reason;
+      report.iterations = adapter->iterations;
+      finish_solve(problem, at, multipliers, options, report);
+      return report;
+    };
+    SolveReport report = finished(adapter->best.z, adapter->best.multipliers);
+    if (report.status == SolveStatus::Planar || report.status == SolveStatus::NotPlanar) {
+      // Of a solve that ended early all iterates may be so far from planar that the projection spoils them;
+      // what it makes of the start is the least that a solve may give.
+      SolveReport from_start = finished(z, Vector::Zero(problem.rows()));
+      if (from_start.status == SolveStatus::Planar &&
+          (report.status == SolveStatus::NotPlanar || objective(from_start) < objective(report)))
+        report = std::move(from_start);
+    }
     report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
     return report;
   }
 
  private:
   static constexpr int kRestarts = 2;
+
+  static double objective(const SolveReport& report) {
+    double sum = 0.0;
+    for (const SolveReport::Energy& energy : report.energies) sum += energy.value;
+    return sum;
+  }
 
   // Ends from which a fresh start at the best state, with Gauss-Newton steps again, often goes on.
   static bool is_stuck(Ipopt::ApplicationReturnStatus status) {

@@ -19,6 +19,14 @@ void pin_blas_to_one_thread() {
   if (auto set = reinterpret_cast<SetThreads>(::dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))) set(1);
 }
 
+// Scotch goes on with one sequence of random numbers through the whole life of the process; begun anew, an
+// ordering depends on its matrix alone, and the second solve gives the same bits as the first.
+void restart_scotch_random_numbers() {
+  using Reset = void (*)();
+  static const auto reset = reinterpret_cast<Reset>(::dlsym(RTLD_DEFAULT, "SCOTCH_randomReset"));
+  if (reset) reset();
+}
+
 // MUMPS allocates and frees its whole workspace at every factorisation; glibc would map and zero those pages
 // anew each time (measured: a seventh of a solve). Keeping up to a gigabyte of freed memory costs less.
 void keep_freed_memory() {
@@ -35,7 +43,9 @@ std::unique_lock<std::recursive_mutex> enter_mumps_gate() {
   static std::recursive_mutex gate;
   static const bool pinned = (pin_blas_to_one_thread(), keep_freed_memory(), true);
   (void)pinned;
-  return std::unique_lock(gate);
+  std::unique_lock lock(gate);
+  restart_scotch_random_numbers();
+  return lock;
 }
 
 }  // namespace planewright

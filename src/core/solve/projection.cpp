@@ -30,7 +30,8 @@ class Projector {
     anchors_ = complex.anchors / scale_;
     x_ = state.x / scale_;
     n_ = state.n;
-    for (int i = 0; i < n_.rows(); ++i) n_.row(i).normalize();
+    if (freedom_ != Freedom::Fixed)
+      for (int i = 0; i < n_.rows(); ++i) n_.row(i).normalize();
     h_ = state.h / scale_;
     start_ = x_;
   }
@@ -39,12 +40,12 @@ class Projector {
     ProjectionReport report;
     residual_ = residuals(x_, n_, h_);
     report.before = largest(residual_);
-    double damping_factor = 1.0;
+    double damping_factor = 1.0, ceiling = kCeiling;
     if (freedom_ != Freedom::Fixed && report.before > target) analyse();
     while (largest(residual_) > target && report.factorisations < max_factorisations &&
            !stop.stop_requested()) {
       const double merit = residual_.squaredNorm();  // 2 Phi
-      const double damping = std::clamp(damping_factor * merit, 1e-12, 1e-2);
+      const double damping = std::clamp(damping_factor * merit, 1e-12, ceiling);
       ++report.factorisations;
       if (!step(damping)) break;
       const Vector trial = residuals(x_trial_, n_trial_, h_trial_);
@@ -57,10 +58,14 @@ class Projector {
         h_ = h_trial_;
         residual_ = trial;
         if (trial_merit < 0.5 * merit) damping_factor *= 0.2;
+        ceiling = std::max(kCeiling, ceiling / 8.0);
         if (at_rounding) break;
       } else {
-        if (largest(residual_) < 10.0 * target || damping >= 1e-2) break;
-        damping_factor = std::max(damping_factor, 1e-12 / merit) * 8.0;
+        if (largest(residual_) < 10.0 * target || damping >= kMostDamping) break;
+        if (damping >= ceiling)
+          ceiling *= 8.0;
+        else
+          damping_factor = std::max(damping_factor, 1e-12 / merit) * 8.0;
       }
     }
     report.after = largest(residual_);
@@ -69,13 +74,17 @@ class Projector {
     return report;
   }
 
+  // What may not move stays to the last bit.
   void store(State& state) const {
     state.x = x_ * scale_;
-    state.n = n_;
-    state.h = h_ * scale_;
+    if (freedom_ != Freedom::Fixed) state.n = n_;
+    if (freedom_ == Freedom::NormalsAndOffsets) state.h = h_ * scale_;
   }
 
  private:
+  // Damping that is not exceeded unless a step has failed with it, and at which there is no step left to try.
+  static constexpr double kCeiling = 1e-2, kMostDamping = 1e4;
+
   static double largest(const Vector& v) { return v.size() > 0 ? v.cwiseAbs().maxCoeff() : 0.0; }
 
   Vector residuals(const Points& x, const Points& n, const Vector& h) const {

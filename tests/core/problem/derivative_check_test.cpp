@@ -118,8 +118,8 @@ TEST_P(Derivatives, AgreeWithDifferences) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Meshes, Derivatives, testing::Range(0, static_cast<int>(small_complexes().size())),
-                         [](const auto& info) {
-                           return small_complexes()[static_cast<size_t>(info.param)].name;
+                         [](const auto& mesh) {
+                           return small_complexes()[static_cast<size_t>(mesh.param)].name;
                          });
 
 // The check itself: norms are those of the analytic derivatives.
