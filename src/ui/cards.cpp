@@ -164,11 +164,18 @@ void draw_hint(Desk& desk, const Rect& viewport) {
   Ui& ui = desk.ui;
   const float width = std::min(ui.px(232), viewport.width() - ui.px(24));
   if (width < ui.px(200)) return;
-  // In the corner where a model seldom is; the legend of the colours has its place below.
-  const bool legend = desk.state.shown() && desk.state.view_options.colours != ColourMap::None;
-  const float above = legend ? legend_height(ui) + ui.px(8) : 0.0f;
-  if (begin_card(ui, "##hint", ImVec2(viewport.min.x + ui.px(12), viewport.max.y - ui.px(12) - above),
-                 ImVec2(0, 1), width)) {
+  // In the corner where a model seldom is; beside the colours' legend where both have room, else above it.
+  ImVec2 at(viewport.min.x + ui.px(12), viewport.max.y - ui.px(12));
+  if (desk.state.shown() && desk.state.view_options.colours != ColourMap::None) {
+    const ImVec2 legend = legend_size(ui);
+    const float axes = ui.px(84);
+    if (at.x + legend.x + ui.px(8) + width < viewport.max.x - axes) {
+      at.x += legend.x + ui.px(8);
+    } else {
+      at.y -= legend.y + ui.px(8);
+    }
+  }
+  if (begin_card(ui, "##hint", at, ImVec2(0, 1), width)) {
     const Ui::Scope scope(ui, "Hint");
     ui.heading("What to try");
     if (close_cross(ui, "close")) desk.window.settings.show_hint = false;

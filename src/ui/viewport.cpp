@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <numbers>
 #include <utility>
 
 #include "ui/format.h"
@@ -99,8 +100,8 @@ bool same(const std::optional<render::ColourScale>& a, const std::optional<rende
 
 }  // namespace
 
-float legend_height(const Ui& ui) {
-  return 2 * ui.theme().small()->FontSize + ui.px(kLegendBar) + 3 * ui.px(8);
+ImVec2 legend_size(const Ui& ui) {
+  return {ui.px(284), 2 * ui.theme().small()->FontSize + ui.px(kLegendBar) + 3 * ui.px(8)};
 }
 
 struct Viewport::Impl {
@@ -140,6 +141,9 @@ struct Viewport::Impl {
   glm::vec2 to_picture(ImVec2 window) const {
     return {(window.x - place.min.x) * pixel_ratio, (window.y - place.min.y) * pixel_ratio};
   }
+  glm::vec2 middle() const {
+    return {0.5f * static_cast<float>(camera.width()), 0.5f * static_cast<float>(camera.height())};
+  }
   ImVec2 to_window(glm::vec2 picture) const {
     return {place.min.x + picture.x / pixel_ratio, place.min.y + picture.y / pixel_ratio};
   }
@@ -169,6 +173,8 @@ struct Viewport::Impl {
     return {};
   }
 
+  bool in_sight(const render::Camera& from, const Vector3d& point) const;
+  void turn_towards(const Vector3d& point);
   void upload_marks(const AppState& state);
   void mouse(Ui& ui, AppState& state, bool hovered_now);
   void click(Ui& ui, AppState& state, ImVec2 at);
@@ -330,11 +336,42 @@ void Viewport::reset_direction(const AppState& state) {
   fit(state);
 }
 
+bool Viewport::Impl::in_sight(const render::Camera& from, const Vector3d& point) const {
+  const render::PolygonLayer* layer = pick_layer();
+  if (layer == nullptr) return true;
+  const Vector3d way = point - from.eye();
+  const double distance = way.norm();
+  if (!(distance > 0)) return true;
+  // The point's own panels meet in it; so a hit counts only well before it.
+  const auto hit = render::pick_polygon(*layer, {from.eye(), way / distance});
+  return !hit || hit->distance > 0.995 * distance;
+}
+
+// Turns the camera until nothing hides the point, as little as may be; not at all where that is in vain.
+void Viewport::Impl::turn_towards(const Vector3d& point) {
+  if (in_sight(camera, point)) return;
+  const Vector3d back = -camera.forward();
+  const double azimuth = std::atan2(back.y(), back.x());
+  const double elevation = std::asin(std::clamp(back.z(), -1.0, 1.0));
+  constexpr double kStep = std::numbers::pi / 6;
+  for (int steps = 0; steps <= 6; ++steps) {
+    for (const double side : {1.0, -1.0}) {
+      for (const double height : {elevation, 1.0, 0.3}) {
+        render::Camera turned = camera;
+        turned.set_direction(azimuth + side * steps * kStep, height);
+        if (turned.depth(point) <= 0) continue;
+        turned.pan(middle() - turned.project(point), point);
+        if (!in_sight(turned, point)) continue;
+        camera = turned;
+        return;
+      }
+    }
+  }
+}
+
 void Viewport::look_at(const Vector3d& scene_point, double radius) {
-  const glm::vec2 at = impl_->camera.project(scene_point);
-  const glm::vec2 centre(0.5f * static_cast<float>(impl_->camera.width()),
-                         0.5f * static_cast<float>(impl_->camera.height()));
-  impl_->camera.pan(centre - at, scene_point);
+  impl_->turn_towards(scene_point);
+  impl_->camera.pan(impl_->middle() - impl_->camera.project(scene_point), scene_point);
   const double shown_radius = 0.5 * impl_->camera.height() * impl_->camera.pixel_size_at(scene_point);
   if (radius > 0 && shown_radius > 0) impl_->camera.zoom(shown_radius / radius, scene_point);
   impl_->dirty = true;
@@ -410,10 +447,7 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
     pans = io.KeyShift || io.MouseDown[1] || io.MouseDown[2];
     pivot = pivot_under(at);
     if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !flipped_by_click) {
-      const Vector3d centre = pivot;
-      const glm::vec2 middle(0.5f * static_cast<float>(camera.width()),
-                             0.5f * static_cast<float>(camera.height()));
-      camera.pan(middle - to_picture(at), centre);
+      camera.pan(middle() - to_picture(at), pivot);
       pressed = false;
       dirty = true;
     }
@@ -584,10 +618,10 @@ void Viewport::Impl::draw_badge(Ui& ui, const AppState& state, const std::string
 void Viewport::Impl::draw_legend(Ui& ui, ImDrawList& draw) const {
   const Palette& p = ui.colours();
   ImFont* font = ui.theme().small();
-  const float width = ui.px(260), bar = ui.px(kLegendBar), pad = ui.px(12);
-  const float height = legend_height(ui);
-  const ImVec2 min(place.min.x + ui.px(12), place.max.y - ui.px(12) - height);
-  const ImVec2 max(min.x + width + 2 * pad, min.y + height);
+  const float bar = ui.px(kLegendBar), pad = ui.px(12);
+  const ImVec2 size = legend_size(ui);
+  const ImVec2 min(place.min.x + ui.px(12), place.max.y - ui.px(12) - size.y);
+  const ImVec2 max(min.x + size.x, min.y + size.y);
   draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(5));
   draw.AddRect(min, max, p.line, ui.px(5));
 

@@ -21,7 +21,7 @@
 namespace planewright::ui {
 
 // Of the colours' legend at the bottom left.
-float legend_height(const Ui& ui);
+ImVec2 legend_size(const Ui& ui);
 
 class Viewport {
  public:
@@ -37,6 +37,7 @@ class Viewport {
 
   void fit(const AppState& state);
   void reset_direction(const AppState& state);
+  // Brings the point to the middle, from a side where nothing hides it.
   void look_at(const Vector3d& scene_point, double radius);
 
   std::optional<int> hovered_edge() const;

@@ -87,7 +87,9 @@ void Ui::record(std::string_view name, ImVec2 min, ImVec2 max, bool enabled, flo
   UiRecord& r = records_[prefix_ + std::string(name)];
   r = {min, max, travel_left, travel_right, knob, false, enabled, frame_};
   const ImGuiWindow* window = ImGui::GetCurrentWindowRead();
-  r.clickable = window->ClipRect.Contains(r.middle()) && !window->SkipItems;
+  // A card that measures itself is not where it will be.
+  const bool placed = window->HiddenFramesCanSkipItems == 0 && window->HiddenFramesCannotSkipItems == 0;
+  r.clickable = placed && window->ClipRect.Contains(r.middle()) && !window->SkipItems;
   if (wanted_ == prefix_ + std::string(name)) {
     if (!r.clickable) ImGui::SetScrollFromPosY(r.middle().y - window->Pos.y);
     wanted_.clear();

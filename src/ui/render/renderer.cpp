@@ -19,6 +19,8 @@ namespace {
 constexpr float kPanelLine = 1.2f, kGhostLine = 1.0f;  // pixels
 constexpr float kSegmentLine[] = {3.0f, 3.5f, 4.0f};   // by Segment::Kind
 constexpr float kMarkerRadius[] = {2.9f, 3.3f, 4.6f};  // by Marker::Kind, pixels
+constexpr float kLeastRadius[] = {1.1f, 1.3f, 4.6f};   // where panels are small on the screen
+constexpr float kMarkerPart = 0.13f;                   // of an edge that a mark's radius may take
 constexpr float kThrough = 0.22f;                      // strength of marks behind geometry
 
 // What the shaders need to know of the camera and the rectangle that is drawn.
@@ -65,7 +67,7 @@ struct Programs {
 struct MarkerVertex {
   float x, y, z;
   float r, g, b;
-  float radius;
+  float radius, least;
 };
 
 // Discs; their colours hang on the theme, so the buffer is filled when the theme changes.
@@ -95,7 +97,8 @@ class MarkerBuffer {
                                                                 : palette.selected;
       const auto& p = marker.position;
       vertices.push_back({static_cast<float>(p.x()), static_cast<float>(p.y()), static_cast<float>(p.z()),
-                          c.x, c.y, c.z, kMarkerRadius[static_cast<int>(marker.kind)]});
+                          c.x, c.y, c.z, kMarkerRadius[static_cast<int>(marker.kind)],
+                          kLeastRadius[static_cast<int>(marker.kind)]});
     }
     if (!arrays_) {
       arrays_ = GlVertexArray::create();
@@ -107,7 +110,7 @@ class MarkerBuffer {
                  vertices.data(), GL_DYNAMIC_DRAW);
     const size_t offsets[] = {offsetof(MarkerVertex, x), offsetof(MarkerVertex, r),
                               offsetof(MarkerVertex, radius)};
-    const GLint sizes[] = {3, 3, 1};
+    const GLint sizes[] = {3, 3, 2};
     for (GLuint i = 0; i < 3; ++i) {
       glVertexAttribPointer(i, sizes[i], GL_FLOAT, GL_FALSE, sizeof(MarkerVertex),
                             reinterpret_cast<const void*>(offsets[i]));
@@ -333,6 +336,7 @@ void Renderer::Impl::draw_markers(const Frame& frame, const Palette& palette) {
   p.set("viewport", frame.size);
   p.set("pixel_scale", frame.pixel_scale);
   p.set("pixels_per_unit", frame.pixels_per_unit);
+  p.set("largest", ghost_arrays ? kMarkerPart * ghost_arrays->mean_edge : 0.0f);
   p.set("outline", palette.outline);
   p.set("rim", palette.edge);
   glEnable(GL_DEPTH_TEST);
