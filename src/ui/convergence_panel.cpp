@@ -198,8 +198,9 @@ void draw_convergence_panel(Desk& desk, const Rect& place) {
     return right - width - ui.px(38);
   };
   float right = place.max.x - ui.px(14);
-  right = key(right, p.infeasibility, "infeasibility, mean edges (right)");
-  key(right, p.objective, "objective, weighted (left)");
+  const bool roomy = place.width() > ui.px(560);  // beside the heading
+  right = key(right, p.infeasibility, roomy ? "infeasibility, mean edges (right)" : "infeasibility");
+  key(right, p.objective, roomy ? "objective, weighted (left)" : "objective");
 
   if (open)
     draw_plot(desk,
