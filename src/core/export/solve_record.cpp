@@ -104,7 +104,8 @@ std::string to_json(const SolveRecord& record) {
         {"crossing_panels", record.self_crossing}}},
       {"health", health_json(record.health)},
   };
-  return json.dump(2) + "\n";
+  // A file's name may be any bytes; those that are not UTF-8 are replaced.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace planewright

@@ -1,0 +1,179 @@
+// The directions in which folders may include each other, and who alone may include which library: read from
+// the #include lines of the source itself (docs/architecture: "Directions").
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace planewright {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Include {
+  std::string file;  // below src/, "core/solve/design.cpp"
+  int line;
+  std::string header;  // as written, without quotes or brackets
+};
+
+const std::vector<Include>& includes() {
+  static const std::vector<Include> all = [] {
+    std::vector<Include> found;
+    const fs::path root = fs::path(PLANEWRIGHT_SOURCE_DIR) / "src";
+    for (const auto& entry : fs::recursive_directory_iterator(root)) {
+      const std::string ending = entry.path().extension().string();
+      if (ending != ".h" && ending != ".cpp" && ending != ".in") continue;
+      std::ifstream in(entry.path());
+      std::string text;
+      for (int line = 1; std::getline(in, text); ++line) {
+        const size_t hash = text.find_first_not_of(" \t");
+        if (hash == std::string::npos || text[hash] != '#') continue;
+        const size_t word = text.find_first_not_of(" \t", hash + 1);
+        if (word == std::string::npos || text.compare(word, 7, "include") != 0) continue;
+        const size_t open = text.find_first_of("\"<", word), close = text.find_first_of("\">", open + 1);
+        if (open == std::string::npos || close == std::string::npos) continue;
+        found.push_back({fs::relative(entry.path(), root).generic_string(), line,
+                         text.substr(open + 1, close - open - 1)});
+      }
+    }
+    return found;
+  }();
+  return all;
+}
+
+// "core/solve" of "core/solve/design.h"; "ui/render" and "ui" are different folders.
+std::string folder(const std::string& path) {
+  const size_t slash = path.rfind('/');
+  return slash == std::string::npos ? "" : path.substr(0, slash);
+}
+
+std::string place(const Include& include) {
+  return "src/" + include.file + ":" + std::to_string(include.line) + " includes " + include.header;
+}
+
+bool starts_with_any(const std::string& text, const std::vector<std::string>& beginnings) {
+  return std::any_of(beginnings.begin(), beginnings.end(),
+                     [&](const auto& b) { return text.starts_with(b); });
+}
+
+// What each folder may include of ours, itself apart.
+const std::map<std::string, std::set<std::string>>& allowed() {
+  static const std::map<std::string, std::set<std::string>> rules = [] {
+    std::map<std::string, std::set<std::string>> r;
+    r["core/base"] = {};
+    r["core/mesh"] = {"core/base"};
+    r["core/complex"] = {"core/base", "core/mesh"};
+    r["core/problem"] = {"core/base", "core/mesh", "core/complex"};
+    r["core/solve"] = {"core/base", "core/mesh", "core/complex", "core/problem"};
+    // Diagnosis measures complexes and states, whatever made them.
+    r["core/diagnose"] = {"core/base", "core/mesh", "core/complex", "core/problem", "core/solve"};
+    r["core/edit"] = {"core/base",    "core/mesh",  "core/complex",
+                      "core/problem", "core/solve", "core/diagnose"};
+    r["core/export"] = r["core/edit"];
+    r["core/export"].insert("core/edit");
+    const std::set<std::string> core = [&] {
+      std::set<std::string> all = r["core/export"];
+      all.insert("core/export");
+      return all;
+    }();
+    // The renderer draws polygons; it knows nothing of solving.
+    r["ui/render"] = {"core/base", "core/mesh"};
+    r["cli"] = core;
+    r["cli"].insert("ui/render");
+    r["ui"] = core;
+    r["ui"].insert("ui/render");
+    return r;
+  }();
+  return rules;
+}
+
+TEST(Architecture, TheSourceIsScanned) {
+  EXPECT_GT(includes().size(), 300u);
+  std::set<std::string> folders;
+  for (const Include& include : includes()) folders.insert(folder(include.file));
+  for (const auto& [name, may] : allowed()) EXPECT_TRUE(folders.contains(name)) << name;
+}
+
+TEST(Architecture, FoldersIncludeForwardsOnly) {
+  for (const Include& include : includes()) {
+    const std::string from = folder(include.file);
+    ASSERT_TRUE(allowed().contains(from)) << "src/" << from << " has no rule; add one with its folder";
+    if (!starts_with_any(include.header, {"core/", "ui/", "cli/"})) continue;
+    const std::string to = folder(include.header);
+    EXPECT_TRUE(to == from || allowed().at(from).contains(to)) << place(include);
+  }
+}
+
+TEST(Architecture, OurHeadersAreNamedFromSrc) {
+  for (const Include& include : includes()) {
+    const fs::path beside =
+        (fs::path(PLANEWRIGHT_SOURCE_DIR) / "src" / include.file).parent_path() / include.header;
+    EXPECT_FALSE(include.header.find('/') == std::string::npos && fs::exists(beside)) << place(include);
+    EXPECT_FALSE(include.header.starts_with("..")) << place(include);
+  }
+}
+
+TEST(Architecture, CoreKnowsNoWindowAndNoGraphics) {
+  const std::vector<std::string> graphics{"GL/",  "GLES", "EGL/",     "epoxy/", "GLFW/", "imgui",
+                                          "glm/", "ft2",  "freetype", "stb",    "ui/",   "cli/"};
+  for (const Include& include : includes()) {
+    if (!include.file.starts_with("core/")) continue;
+    EXPECT_FALSE(starts_with_any(include.header, graphics)) << place(include);
+  }
+}
+
+TEST(Architecture, OnlyTheIpoptSolverIncludesIpopt) {
+  int seen = 0;
+  for (const Include& include : includes()) {
+    if (!include.header.starts_with("Ip") && !include.header.starts_with("coin")) continue;
+    EXPECT_EQ(include.file, "core/solve/ipopt_solver.cpp") << place(include);
+    ++seen;
+  }
+  EXPECT_GT(seen, 0);
+}
+
+TEST(Architecture, OnlyTheFactorisationIncludesMumps) {
+  for (const Include& include : includes()) {
+    if (include.header.find("mumps_c.h") == std::string::npos) continue;
+    EXPECT_EQ(include.file, "core/solve/sparse_cholesky.cpp") << place(include);
+  }
+}
+
+TEST(Architecture, OnlyTheMeshIncludesOpenMesh) {
+  int seen = 0;
+  for (const Include& include : includes()) {
+    if (!include.header.starts_with("OpenMesh")) continue;
+    EXPECT_EQ(folder(include.file), "core/mesh") << place(include);
+    EXPECT_TRUE(include.file.ends_with(".cpp")) << place(include);
+    ++seen;
+  }
+  EXPECT_GT(seen, 0);
+}
+
+TEST(Architecture, OnlyTheWindowIncludesGlfwAndImGui) {
+  for (const Include& include : includes()) {
+    if (!starts_with_any(include.header, {"GLFW/", "imgui", "misc/"})) continue;
+    EXPECT_EQ(folder(include.file), "ui") << place(include);
+  }
+}
+
+TEST(Architecture, HeadersBeginWithPragmaOnce) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(PLANEWRIGHT_SOURCE_DIR) / "src")) {
+    if (entry.path().extension() != ".h") continue;
+    std::ifstream in(entry.path());
+    std::string line;
+    bool once = false;
+    while (!once && std::getline(in, line) &&
+           (line.empty() || line.starts_with("//") || line == "#pragma once"))
+      once = line == "#pragma once";
+    EXPECT_TRUE(once) << entry.path();
+  }
+}
+
+}  // namespace
+}  // namespace planewright
