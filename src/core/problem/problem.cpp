@@ -49,6 +49,10 @@ Result<std::shared_ptr<const Problem>> Problem::create(std::shared_ptr<const Tan
   problem->scale_ = complex->mean_edge;
   problem->normalised_ = normalise(*complex, problem->centre_, problem->scale_);
 
+  double largest = 0.0;
+  for (const auto& [name, weight] : settings.weights) largest = std::max(largest, weight);
+  if (largest > 0.0) problem->largest_weight_ = largest;
+
   const TangentComplex& normalised = problem->normalised_;
   const Layout& layout = problem->layout_;
   for (const EnergyInfo& info : energy_catalogue()) {

@@ -68,6 +68,8 @@ class Problem {
   // The slot of each unknown's own diagonal entry (#z); every one is in the pattern.
   const std::vector<int>& hessian_diagonal() const { return diagonal_slots_; }
 
+  double largest_weight() const { return largest_weight_; }  // 1 if every weight is 0
+
   // What each energy with a weight contributes to f at z, in catalogue order.
   struct EnergyShare {
     std::string name;
@@ -114,6 +116,7 @@ class Problem {
   SparsePattern jacobian_, hessian_;
   std::vector<int> diagonal_slots_;
   int rows_ = 0;
+  double largest_weight_ = 1.0;
   int longest_stencil_ = 0, most_curvature_ = 0;
 };
 

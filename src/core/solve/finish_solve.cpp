@@ -1,12 +1,30 @@
 #include "core/solve/finish_solve.h"
 
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
 #include "core/solve/projection.h"
 
 namespace planewright {
 namespace {
 
-// After the projection the residual may have grown by as much as its (tiny) move times the curvature.
-constexpr double kStationaryAfterProjection = 10.0;
+// A user who stops does not want to wait: so many steps of the projection reach planar panels from most
+// iterates.
+constexpr int kStepsAfterStop = 12;
+
+// The constraint violated most, as "incidence, by 0.0021 edges".
+std::string worst_constraint(const std::vector<Problem::ConstraintViolation>& violations) {
+  const auto worst = std::max_element(violations.begin(), violations.end(), [](const auto& a, const auto& b) {
+    return a.max_violation < b.max_violation;
+  });
+  if (worst == violations.end()) return "none";
+  std::ostringstream text;
+  text << worst->name << ", by " << std::setprecision(2) << worst->max_violation;
+  if (!worst->unit.empty()) text << ' ' << worst->unit;
+  text << " at worst, " << worst->violated << (worst->violated == 1 ? " place" : " places");
+  return text.str();
+}
 
 }  // namespace
 
@@ -31,26 +49,46 @@ const char* name(SolveStatus status) {
 void finish_solve(const Problem& problem, const Vector& z, const Vector& multipliers,
                   const SolveOptions& options, SolveReport& report) {
   report.state = problem.to_state({z.data(), static_cast<size_t>(z.size())});
-  const ProjectionReport projection =
-      project_onto_incidences(problem.complex(), report.state, problem.layout().freedom);
+  const int steps = report.status == SolveStatus::Stopped ? kStepsAfterStop : kProjectionSteps;
+  const ProjectionReport projection = project_onto_incidences(
+      problem.complex(), report.state, problem.layout().freedom, kProjectionTarget, steps, options.abandoned);
   report.incidence_residual = projection.after;
   report.projection_move = projection.move;
 
   const Vector projected = problem.from_state(report.state);
   report.multipliers = multipliers;
-  report.first_order_residual = problem.first_order_residual(projected.data(), multipliers.data());
+  report.first_order_residual =
+      problem.first_order_residual(projected.data(), multipliers.data()) / problem.largest_weight();
   for (const auto& share : problem.energy_shares(projected.data()))
     report.energies.push_back({share.name, share.weight, share.value});
-  for (const auto& violation : problem.violations(projected.data(), options.planarity_tolerance))
+  const auto violations = problem.violations(projected.data(), options.planarity_tolerance);
+  int violated = 0;
+  for (const auto& violation : violations) {
     report.constraints.push_back({violation.name, violation.max_violation, violation.violated});
+    violated += violation.violated;
+  }
 
   const bool planar = report.incidence_residual <= options.planarity_tolerance;
-  if (!planar && (report.status == SolveStatus::Converged || report.status == SolveStatus::Planar)) {
-    report.status = SolveStatus::NotPlanar;
-    report.stop_reason += "; some points do not lie on all of their planes";
+  if (!planar) report.stop_reason += "; some points do not lie on all of their planes";
+  switch (report.status) {
+    case SolveStatus::Converged:
+    case SolveStatus::Planar:
+      if (!planar) report.status = SolveStatus::NotPlanar;
+      break;
+    case SolveStatus::Infeasible:  // as the solver saw it; the projection may have found a way
+      if (violated == 0) {
+        report.status = SolveStatus::Planar;
+        report.stop_reason = "the solver found no step that gained anything; the projection met the demands";
+      } else {
+        report.stop_reason += "; not met: " + worst_constraint(violations);
+      }
+      break;
+    case SolveStatus::Stopped:
+    case SolveStatus::NotPlanar:
+    case SolveStatus::Failed:
+      break;
   }
-  if (report.status == SolveStatus::Converged &&
-      !(report.first_order_residual <= kStationaryAfterProjection * options.tolerance)) {
+  if (report.status == SolveStatus::Converged && !(report.first_order_residual <= options.tolerance)) {
     report.status = SolveStatus::Planar;
     report.stop_reason = "the exact projection moved the state away from where it was stationary";
   }

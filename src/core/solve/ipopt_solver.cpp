@@ -17,6 +17,7 @@
 #include <IpTNLP.hpp>
 #include <IpTNLPAdapter.hpp>
 
+#include "core/solve/curvature_schedule.h"
 #include "core/solve/finish_solve.h"
 #include "core/solve/mumps_gate.h"
 #include "core/solve/projection.h"
@@ -38,50 +39,15 @@ struct Kept {
 // Feasible enough for the projection to be a small correction; among such iterates the lower energy is
 // better.
 constexpr double kNearlyFeasible = 1e-4;
+// Share of the tolerance at which steps end, so that the projection afterwards has room.
+constexpr double kStopShare = 0.8;
+// Share of the tolerance below which further exact steps would only shuffle the last digits.
+constexpr double kFarBelow = 1e-5;
 // Root mean square move of the first step, edges, beyond which another start is tried; real designs stay
 // below 0.3.
 constexpr double kFirstStepTooLong = 0.5;
 // What the final projection easily takes to rounding; asking Ipopt for more gains nothing.
 constexpr double kFeasible = 1e-7;
-
-// Which Hessian a step uses: first that of the energies alone (Gauss-Newton in the constraints) with some
-// damping on the planes, then the exact one.
-//
-// Without the constraints' curvature the KKT system has the right inertia by itself: one factorisation a step
-// instead of two to five, large steps, and symmetric saddles are left quickly (10,000-panel torus: 40 % of
-// the energy at which exact steps alone end; train station: converges, where exact steps alone get lost in
-// restoration). The damping keeps turns of the planes moderate; it grows, because undamped Gauss-Newton steps
-// go round in circles in a few twisted places. Where this converges by itself it is left to; where the energy
-// is flat and the slope still does not shrink, the exact Hessian finishes, quadratically.
-class CurvatureSchedule {
- public:
-  explicit CurvatureSchedule(int most) : most_(most) {}
-  bool exact() const { return exact_ || iteration_ >= most_; }
-  // In units of weight 1.
-  double plane_damping() const { return 0.1 * std::pow(1.3, std::max(0, iteration_ - kAtLeast)); }
-
-  void after(int iteration, double objective, double infeasibility, double first_order) {
-    const bool flat =
-        infeasibility <= kNearlyFeasible && std::abs(objective - objective_) <= kFlat * std::abs(objective);
-    flat_ = flat ? flat_ + 1 : 0;
-    const bool shrinking = first_order <= 0.7 * first_order_;
-    // Not too early: round a symmetric saddle the energy is flat for a few steps as well.
-    if (iteration >= kAtLeast && flat_ >= 3 && !shrinking) exact_ = true;
-    iteration_ = iteration;
-    objective_ = objective;
-    first_order_ = first_order;
-  }
-
- private:
-  static constexpr double kFlat = 1e-4;
-  static constexpr int kAtLeast = 15;
-  int most_;
-  int iteration_ = 0;
-  int flat_ = 0;
-  double objective_ = std::numeric_limits<double>::infinity();
-  double first_order_ = std::numeric_limits<double>::infinity();
-  bool exact_ = false;
-};
 
 bool better(const Kept& a, const Kept& b) {
   const bool a_near = a.infeasibility <= kNearlyFeasible, b_near = b.infeasibility <= kNearlyFeasible;
@@ -95,6 +61,7 @@ class Adapter final : public Ipopt::TNLP {
   Adapter(const Problem& problem, Vector start, const SolveOptions& options, const IpoptOverrides& overrides,
           SolveObserver* observer, std::stop_token stop)
       : problem_(problem),
+        weight_(problem.largest_weight()),
         start_(std::move(start)),
         options_(options),
         own_termination_(overrides.own_termination),
@@ -136,11 +103,12 @@ class Adapter final : public Ipopt::TNLP {
   }
 
   bool eval_f(Index, const Number* z, bool, Number& value) override {
-    value = problem_.objective(z);
+    value = problem_.objective(z) / weight_;
     return std::isfinite(value);
   }
   bool eval_grad_f(Index n, const Number* z, bool, Number* out) override {
     problem_.gradient(z, out);
+    for (Index v = 0; v < n; ++v) out[v] /= weight_;
     return all_finite(out, n);
   }
   bool eval_g(Index, const Number* z, bool, Index m, Number* out) override {
@@ -156,7 +124,8 @@ class Adapter final : public Ipopt::TNLP {
   bool eval_h(Index, const Number* z, bool, Number factor, Index, const Number* multipliers, bool,
               Index slots, Index* rows, Index* columns, Number* values) override {
     if (!values) return copy_pattern(problem_.hessian_pattern(), rows, columns);
-    problem_.hessian_values(z, factor, curvature_.exact() ? multipliers : no_multipliers_.data(), values);
+    problem_.hessian_values(z, factor / weight_, curvature_.exact() ? multipliers : no_multipliers_.data(),
+                            values);
     if (!curvature_.exact()) damp_planes(values);
     return all_finite(values, slots);
   }
@@ -167,7 +136,7 @@ class Adapter final : public Ipopt::TNLP {
                              Ipopt::IpoptCalculatedQuantities* quantities) override {
     Iteration iteration;
     iteration.number = iterations_before_ + number;
-    iteration.objective = objective;
+    iteration.objective = objective * weight_;
     iteration.infeasibility = infeasibility;
     iteration.first_order = first_order;
     iteration.step = step;
@@ -181,9 +150,11 @@ class Adapter final : public Ipopt::TNLP {
     if (known) {
       now.objective = objective;
       now.infeasibility = infeasibility;
-      if (better(now, best)) best = now;
+      if (!converged && better(now, best)) best = now;
     }
-    if (observer_) {
+    const bool told_before =
+        number == 0 && iterations_before_ > 0;  // a restart begins where the last one ended
+    if (observer_ && !told_before) {
       if (known) {
         iteration.energies = problem_.energy_shares(now.z.data());
         const State state = problem_.to_state({now.z.data(), static_cast<size_t>(now.z.size())});
@@ -192,11 +163,7 @@ class Adapter final : public Ipopt::TNLP {
         observer_->on_iteration(iteration, nullptr);
       }
     }
-    if (own_termination_ && known && infeasibility <= kFeasible && first_order <= options_.tolerance) {
-      best = now;
-      converged = true;
-      return false;
-    }
+    if (own_termination_ && known && is_converged(now, infeasibility, first_order)) return false;
     // Where the design's edges run along asymptotic directions (a hypar along its rulings), the incidences
     // linearised at the start are nearly contradictory, and the first step throws the points far away.
     if (number == 1 && known && may_start_elsewhere && moved(now.z) > kFirstStepTooLong) {
@@ -206,20 +173,20 @@ class Adapter final : public Ipopt::TNLP {
     return !stop_.stop_requested();
   }
 
-  void finalize_solution(Ipopt::SolverReturn, Index n, const Number* z, const Number*, const Number*, Index m,
-                         const Number* c, const Number* multipliers, Number objective,
+  void finalize_solution(Ipopt::SolverReturn end, Index n, const Number* z, const Number*, const Number*,
+                         Index m, const Number* c, const Number* multipliers, Number objective,
                          const Ipopt::IpoptData*, Ipopt::IpoptCalculatedQuantities*) override {
     if (converged || start_elsewhere) return;
     // Covers what the callback did not see: a problem solved at its start, a last iterate after restoration.
     Kept last;
     last.z = Eigen::Map<const Vector>(z, n);
-    last.multipliers = Eigen::Map<const Vector>(multipliers, m);
+    last.multipliers = weight_ * Eigen::Map<const Vector>(multipliers, m);
     last.objective = objective;
     last.infeasibility = 0.0;
     for (Index r = 0; r < m; ++r)
       last.infeasibility =
           std::max({last.infeasibility, problem_.bounds(r).low - c[r], c[r] - problem_.bounds(r).high});
-    if (last.z.allFinite() && better(last, best)) best = last;
+    if (last.z.allFinite() && (end == Ipopt::SUCCESS || better(last, best))) best = last;
   }
 
   // Ready for another solve from elsewhere, as if nothing had been solved yet.
@@ -274,16 +241,36 @@ class Adapter final : public Ipopt::TNLP {
     kept.multipliers.resize(problem_.rows());
     adapter->ResortX(*data->curr()->x(), kept.z.data());
     adapter->ResortG(*data->curr()->y_c(), *data->curr()->y_d(), kept.multipliers.data());
+    kept.multipliers *= weight_;
     return kept.z.allFinite() && kept.multipliers.allFinite();
   }
 
   const Problem& problem_;
+  // Ipopt sees the weights relative to the largest one: its tolerances, and the damping, then mean the same
+  // whatever unit the weights are thought in.
+  double weight_;
   Vector start_;
   const SolveOptions& options_;
   bool own_termination_;
   SolveObserver* observer_;
   std::stop_token stop_;
   Clock::time_point begun_;
+  // Our own test. Exact steps converge quadratically, so once below the tolerance they go on while each still
+  // gains an order of magnitude: a step or two more, and the result no longer depends on where exactly the
+  // test was met (the same design, moved or turned, gives the same points to 1e-6 edges).
+  bool is_converged(const Kept& now, double infeasibility, double first_order) {
+    const bool met = infeasibility <= kFeasible && first_order <= kStopShare * options_.tolerance;
+    const bool gains = met && first_order <= 0.1 * met_at_;
+    if (!converged && !met) return false;
+    if (gains || !converged) {
+      best = now;
+      met_at_ = first_order;
+      converged = true;
+      return !curvature_.exact() || first_order <= kFarBelow * options_.tolerance;
+    }
+    return true;  // keeps the step before
+  }
+
   // Root mean square move of the points from the start, edges.
   double moved(const Vector& z) const {
     const Eigen::Index size = 3 * problem_.layout().points;
@@ -291,6 +278,8 @@ class Adapter final : public Ipopt::TNLP {
            std::sqrt(std::max<double>(problem_.layout().points, 1.0));
   }
 
+  double met_at_ =
+      std::numeric_limits<double>::infinity();  // first-order residual when the test was last met
   Vector no_multipliers_;
   int gauss_newton_iterations_;
   int iterations_before_ = 0;
@@ -359,7 +348,7 @@ class IpoptSolver final : public Solver {
     Outcome outcome;
     try {
       Ipopt::ApplicationReturnStatus status;
-      for (int attempt = 0;; ++attempt) {
+      for (int restarts = 0;;) {
         // False: no console output.
         Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
         set_options(*application, options, options.max_iterations - adapter->iterations);
@@ -368,11 +357,13 @@ class IpoptSolver final : public Solver {
         if (adapter->start_elsewhere) {
           // Damped, the projection finds planar panels close by; from there the energies have an easier way.
           State projected = start;
-          project_onto_incidences(problem.complex(), projected, problem.layout().freedom);
+          project_onto_incidences(problem.complex(), projected, problem.layout().freedom, kProjectionTarget,
+                                  kProjectionSteps, stop);
           adapter->restart_from(problem.from_state(projected));
           continue;
         }
-        if (!is_stuck(status) || attempt == kRestarts || !overrides_.own_termination || stop.stop_requested())
+        if (!is_stuck(status) || restarts++ == kRestarts || !overrides_.own_termination ||
+            stop.stop_requested())
           break;
         adapter->restart();
       }
@@ -428,9 +419,6 @@ class IpoptSolver final : public Solver {
     // MUMPS' matching step is most of its analysis time and gains nothing on these systems (measured).
     list.SetIntegerValue("mumps_permuting_scaling", 0);
     list.SetIntegerValue("mumps_scaling", 0);
-    // Elimination without a search for pivots: a fifth faster, and as good here (every real mesh measured
-    // converges); Ipopt checks the residual of each solve and regularises where it is not.
-    list.SetNumericValue("mumps_pivtol", 0.0);
     // Ipopt's 1000 % of extra workspace is zeroed at every factorisation; MUMPS asks again where 30 % is too
     // little.
     list.SetIntegerValue("mumps_mem_percent", 30);

@@ -12,12 +12,12 @@ namespace planewright {
 // units.
 struct Iteration {
   int number = 0;
-  double objective = 0.0;      // sum of the weighted energies
-  double infeasibility = 0.0;  // largest constraint violation
-  double first_order = 0.0;    // inf-norm of the Lagrangian's gradient
-  double step = 0.0;           // inf-norm of the last step
-  double seconds = 0.0;        // wall time since the solve began
-  bool restoration = false;    // the solver left the objective aside to find feasibility
+  double objective = 0.0;                      // sum of the weighted energies
+  double infeasibility = 0.0;                  // largest constraint violation
+  double first_order = 0.0;                    // inf-norm of the Lagrangian's gradient
+  double step = 0.0;                           // inf-norm of the last step
+  double seconds = 0.0;                        // wall time since the solve began
+  bool restoration = false;                    // the solver left the objective aside to find feasibility
   std::vector<Problem::EnergyShare> energies;  // what each adds to the objective; empty in restoration
 };
 

@@ -15,18 +15,22 @@
 
 namespace planewright {
 
+inline constexpr double kProjectionTarget = 1e-13;  // mean edges
+inline constexpr int kProjectionSteps = 60;
+
 struct ProjectionReport {
   double before = 0.0, after = 0.0;  // largest |incidence residual|, mean edges
   double move = 0.0;                 // farthest that a point moved, mean edges
   int factorisations = 0;
-  bool reached = false;  // after <= the target
+  bool reached = false;  // after <= 10 targets: rounding may not let it get closer
 };
 
 // state: in model units, changed in place; each accepted step lowers the residual, so it is never worse than
 // before. target: mean edges. Freedom says which of n and h may move; with Fixed only points move, each to
 // the place on its planes nearest to it. A stop request ends it after the running factorisation.
 ProjectionReport project_onto_incidences(const TangentComplex& complex, State& state, Freedom freedom,
-                                         double target = 1e-13, int max_factorisations = 60,
+                                         double target = kProjectionTarget,
+                                         int max_factorisations = kProjectionSteps,
                                          std::stop_token stop = {});
 
 }  // namespace planewright

@@ -26,8 +26,8 @@ struct SolveReport {
   int iterations = 0;
   double seconds = 0.0;  // wall
   // After the final projection, at the reported state:
-  double first_order_residual =
-      0.0;  // inf-norm of the Lagrangian's gradient, weights as given, lengths in mean edges
+  // Inf-norm of the Lagrangian's gradient, weights relative to the largest one, lengths in mean edges.
+  double first_order_residual = 0.0;
   double incidence_residual = 0.0;  // largest |n.(x - v) - h|, mean edges
   double projection_move = 0.0;     // farthest that the projection moved a point, mean edges
   struct Energy {

@@ -20,6 +20,11 @@ struct SolveSession::Impl {
     SolveRequest request;
     std::uint64_t ticket = 0;
     std::stop_source stop;
+    std::stop_source abandoned;  // superseded, or the session ends: nobody wants the result
+    void abandon() {
+      stop.request_stop();
+      abandoned.request_stop();
+    }
   };
 
   // Turns solver callbacks into mailbox and queue entries.
@@ -40,11 +45,11 @@ struct SolveSession::Impl {
     std::shared_ptr<const TangentComplex> complex_;
   };
 
-  void publish(std::uint64_t of_ticket, const Iteration& iteration, std::shared_ptr<const Iterate> iterate) {
+  void publish(std::uint64_t of_ticket, Iteration iteration, std::shared_ptr<const Iterate> iterate) {
     {
       const std::lock_guard lock(mutex);
       if (of_ticket != ticket) return;  // superseded
-      iterations.push_back(iteration);
+      iterations.push_back(std::move(iteration));
       if (iterate) mailbox.swap(iterate);
     }  // what the mailbox held before is freed here, outside the lock
     if (wake) wake();
@@ -60,13 +65,16 @@ struct SolveSession::Impl {
         pending.reset();
       }
       const Job& job = *active;
-      std::stop_callback quit_stops_solve(quit, [stop = job.stop]() mutable { stop.request_stop(); });
-      SolveOutcome outcome = solve(job);
-      const std::uint64_t solved = job.ticket;
+      std::stop_callback quit_abandons(quit, [stop = job.stop, abandoned = job.abandoned]() mutable {
+        stop.request_stop();
+        abandoned.request_stop();
+      });
+      std::optional<SolveOutcome> outcome = solve(job);
+      std::optional<Job> done;  // dies, perhaps with the last reference to a mesh, outside the lock
       {
         const std::lock_guard lock(mutex);
-        active.reset();
-        if (solved == ticket) finished = std::move(outcome);
+        done.swap(active);
+        if (done->ticket == ticket) finished.swap(outcome);
       }
       if (wake) wake();
     }
@@ -96,11 +104,17 @@ struct SolveSession::Impl {
       const State start =
           start_state(*built, settings, warm ? warm->complex.get() : nullptr, warm ? &warm->state : nullptr);
       Publisher publisher(*this, job, built);
-      outcome.report = make_ipopt_solver()->solve(**problem, start, solve_options(settings), &publisher,
-                                                  job.stop.get_token());
+      SolveOptions options = solve_options(settings);
+      options.abandoned = job.abandoned.get_token();
+      outcome.report =
+          make_ipopt_solver()->solve(**problem, start, options, &publisher, job.stop.get_token());
     } catch (const std::bad_alloc&) {
       outcome.report = fail(ErrorCode::Unavailable, "the machine has not enough memory for this design", {},
                             "Take a coarser mesh");
+    } catch (const std::exception& bug) {
+      // An exception is a bug of ours, but the designer's window, and with it the work, has to survive it.
+      outcome.report = fail(ErrorCode::Unavailable, std::string("internal error: ") + bug.what(), {},
+                            "Save your work and report what you did");
     }
     return outcome;
   }
@@ -139,8 +153,8 @@ std::uint64_t SolveSession::start(SolveRequest request) {
     const std::lock_guard lock(impl_->mutex);
     ticket = ++impl_->ticket;
     dropped.swap(impl_->pending);
-    impl_->pending.emplace(Impl::Job{std::move(request), ticket, {}});
-    if (impl_->active) impl_->active->stop.request_stop();
+    impl_->pending.emplace(Impl::Job{std::move(request), ticket, {}, {}});
+    if (impl_->active) impl_->active->abandon();
     old_iterate.swap(impl_->mailbox);
     old_outcome.swap(impl_->finished);
     impl_->iterations.clear();
