@@ -1,7 +1,9 @@
 // planewright-cli check IN [--tolerance T]: health and planarity of any polygon mesh.
 #include <cstdio>
+#include <memory>
 
 #include "cli/commands.h"
+#include "cli/finite_number.h"
 #include "core/diagnose/planarity.h"
 #include "core/mesh/mesh_io.h"
 
@@ -70,6 +72,7 @@ void add_check_command(CLI::App& app, ExitStatus& status) {
       ->add_option(
           "--tolerance", options->tolerance,
           "Allowed distance of a corner from its face's plane, model units (default: 1e-9 diagonals)")
+      ->check(finite_number())
       ->check(CLI::NonNegativeNumber);
   command->callback([options, &status] { status = run(*options); });
 }

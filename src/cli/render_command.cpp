@@ -1,7 +1,10 @@
 // planewright-cli render IN -o PICTURE.png: a picture without a display.
 #include <cstdio>
+#include <filesystem>
+#include <string>
 
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "core/diagnose/planarity.h"
 #include "core/mesh/mesh_io.h"
 #include "ui/render/renderer.h"
@@ -15,7 +18,23 @@ struct RenderOptions {
   bool planarity = false, dark = false;
 };
 
+// Any other ending would name a PNG what it is not.
+Result<void> check_ending(const std::filesystem::path& path) {
+  const std::string ending = path.extension().string();
+  if (CLI::detail::to_lower(ending) == ".png") return {};
+  return fail(ErrorCode::Usage,
+              ending.empty() ? "the name has no ending that says the format"
+                             : "pictures are written as PNG, not as '" + ending + "'",
+              path.string(), "Use .png");
+}
+
 ExitStatus run(const RenderOptions& options) {
+  // What cannot be written should be known before the work, not after it.
+  if (const auto png = check_ending(options.output); !png) return report(png.error());
+  if (const auto writable =
+          check_outputs({{"IN", options.input}, {"--ghost", options.ghost}}, {{"-o", options.output}});
+      !writable)
+    return report(writable.error());
   const auto checked = load_mesh(options.input);
   if (!checked) return report(checked.error());
   const Points& points = checked->mesh.positions();

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
 
@@ -14,6 +15,10 @@ struct SampleOptions {
 };
 
 ExitStatus run(const SampleOptions& options) {
+  // What cannot be written should be known before the work, not after it.
+  if (const auto format = format_of(options.output); !format) return report(format.error());
+  if (const auto writable = check_outputs({}, {{"-o", options.output}}); !writable)
+    return report(writable.error());
   const auto mesh = make_sample(options.name, options.panels);
   if (!mesh) return report(mesh.error());
   if (const auto saved = save_mesh(options.output, mesh->positions(), mesh->faces()); !saved)

@@ -1,10 +1,16 @@
 // planewright-cli dual | planarize | panels IN -o OUT: mesh in, planar panels out.
 #include <chrono>
 #include <cstdio>
+#include <limits>
 #include <map>
+#include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "cli/commands.h"
+#include "cli/finite_number.h"
+#include "cli/output_files.h"
 #include "cli/progress.h"
 #include "cli/weights_option.h"
 #include "core/base/atomic_file.h"
@@ -80,6 +86,9 @@ SolveReport solve_explicitly(const TangentComplex& complex) {
       incidence_residuals(complex, report.state).cwiseAbs().maxCoeff() / complex.mean_edge;
   report.status = result.failed.empty() ? SolveStatus::Converged : SolveStatus::NotPlanar;
   report.stop_reason = "every point was computed from its planes";
+  // Nothing was minimised, so there are no multipliers to measure a slope with; 0 would claim a stationary
+  // state.
+  report.first_order_residual = std::numeric_limits<double>::quiet_NaN();
   if (!result.failed.empty()) {
     std::map<TpiFailure, int> counts;
     for (const auto& failed : result.failed) ++counts[failed.why];
@@ -93,6 +102,20 @@ SolveReport solve_explicitly(const TangentComplex& complex) {
   return report;
 }
 
+// What the energies of an optimisation come to where nothing was optimised, for comparison. Left out where
+// the problem cannot be stated.
+std::vector<SolveReport::Energy> energies_at(const State& state,
+                                             const std::shared_ptr<const TangentComplex>& complex,
+                                             const DesignSettings& settings) {
+  std::vector<SolveReport::Energy> energies;
+  const auto problem = build_problem(complex, settings);
+  if (!problem) return energies;
+  const Vector z = (*problem)->from_state(state);
+  for (const auto& share : (*problem)->energy_shares(z.data()))
+    energies.push_back({share.name, share.weight, share.value});
+  return energies;
+}
+
 Result<ExitStatus> run(SolveCommandOptions& options) {
   const auto begun = Clock::now();
   // What cannot be written should be known before the work, not after it.
@@ -102,6 +125,10 @@ Result<ExitStatus> run(SolveCommandOptions& options) {
     if (!weights) return tl::unexpected(weights.error());
     for (const auto& [name, weight] : *weights) options.settings.weights[name] = weight;
   }
+  if (auto writable =
+          check_outputs({{"IN", options.input}}, {{"-o", options.output}, {"--report", options.report}});
+      !writable)
+    return tl::unexpected(writable.error());
 
   SolveRecord record;
   record.input = options.input;
@@ -117,7 +144,9 @@ Result<ExitStatus> run(SolveCommandOptions& options) {
   const auto complex = build_complex(checked->mesh, options.settings);
   if (!complex) return tl::unexpected(complex.error());
   if (options.explicit_points) {
+    record.seconds_build = seconds_since(begun);
     record.solve = solve_explicitly(**complex);
+    record.solve.energies = energies_at(record.solve.state, *complex, options.settings);
   } else {
     const auto problem = build_problem(*complex, options.settings);
     if (!problem) return tl::unexpected(problem.error());
@@ -143,21 +172,23 @@ Result<ExitStatus> run(SolveCommandOptions& options) {
   record.short_edges = find_short_edges(**complex, record.solve.state);
   record.seconds_total = seconds_since(begun);
 
-  if (!options.report.empty())
-    if (auto saved = write_file_atomically(options.report, to_json(record)); !saved)
-      return tl::unexpected(saved.error());
+  // Told before the report is written: should that fail, the panels are there and how they are is known.
   if (!options.quiet) print_summary(record, options.output, options.unit);
-
-  const ExitStatus status = exit_status(record.solve.status);
-  if (status == kSuccess && record.planarity.max_relative_to_bbox > kPlanarRelativeToBox) {
+  std::fflush(stdout);  // the report may go to the same place (/dev/stdout), past this buffer
+  ExitStatus status = exit_status(record.solve.status);
+  if (status != kSuccess) {
+    std::fprintf(stderr, "planewright-cli: warning: %s: %s\n", name(record.solve.status),
+                 record.solve.stop_reason.c_str());
+  } else if (record.planarity.max_relative_to_bbox > kPlanarRelativeToBox) {
     std::fprintf(stderr,
                  "planewright-cli: warning: the written panels are planar to %.1e of the diagonal only\n",
                  record.planarity.max_relative_to_bbox);
-    return kNotMet;
+    status = kNotMet;
   }
-  if (status != kSuccess)
-    std::fprintf(stderr, "planewright-cli: warning: %s: %s\n", name(record.solve.status),
-                 record.solve.stop_reason.c_str());
+
+  if (!options.report.empty())
+    if (auto saved = write_file_atomically(options.report, to_json(record)); !saved)
+      return tl::unexpected(saved.error());
   return status;
 }
 
@@ -167,26 +198,41 @@ CLI::App* add_solve_command(CLI::App& app, ExitStatus& status, ComplexKind mode,
   auto* command = app.add_subcommand(command_name, description);
   command->add_option("IN", options->input, "Mesh to work on (.obj .off .ply .stl)")->required();
   command->add_option("-o,--output", options->output, "Panels to write (.obj .off .ply .stl)")->required();
-  command->add_option("--offset", options->settings.offset,
-                      "Wanted distance from the input along its normals, model units");
   command
-      ->add_option(
-          "--freedom", options->settings.freedom,
-          "What may change of the planes: 'fixed', 'normals', or 'all' (normals and offsets, the default)")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, Freedom>{
-          {"fixed", Freedom::Fixed}, {"normals", Freedom::Normals}, {"all", Freedom::NormalsAndOffsets}}));
-  command->add_option("--weights", options->weights, "Weights of the energies: position=1,fairing=0.1");
+      ->add_option("--offset", options->settings.offset,
+                   "Wanted distance from the input along its normals, model units")
+      ->check(finite_number());
+  auto* freedom = command
+                      ->add_option("--freedom", options->settings.freedom,
+                                   "What may change of the planes: 'fixed', 'normals', or 'all' (normals and "
+                                   "offsets, the default)")
+                      ->transform(CLI::CheckedTransformer(
+                          std::map<std::string, Freedom>{{"fixed", Freedom::Fixed},
+                                                         {"normals", Freedom::Normals},
+                                                         {"all", Freedom::NormalsAndOffsets}}));
+  auto* weights =
+      command->add_option("--weights", options->weights, "Weights of the energies: position=1,fairing=0.1");
   command->add_option("--solver", options->solver, "Which solver")->check(CLI::IsMember({"ipopt"}));
-  command->add_flag(
-      "--explicit", options->explicit_points,
-      "No optimisation: intersect the tangent planes directly (the baseline), and say where that fails");
-  command->add_option("--max-iterations", options->settings.max_iterations, "Stop after this many")
-      ->check(CLI::Range(0, 1000000));
+  auto* max_iterations =
+      command->add_option("--max-iterations", options->settings.max_iterations, "Stop after this many")
+          ->check(CLI::Range(0, 1000000));
+  auto* tolerance =
+      command
+          ->add_option(
+              "--tolerance", options->settings.tolerance,
+              "First-order residual at which the solve counts as converged (weights as given, lengths "
+              "in mean edges)")
+          ->check(finite_number())
+          ->check(CLI::PositiveNumber);
+  // What steers an optimisation means nothing where there is none.
   command
-      ->add_option("--tolerance", options->settings.tolerance,
-                   "First-order residual at which the solve counts as converged (weights as given, lengths "
-                   "in mean edges)")
-      ->check(CLI::PositiveNumber);
+      ->add_flag(
+          "--explicit", options->explicit_points,
+          "No optimisation: intersect the tangent planes directly (the baseline), and say where that fails")
+      ->excludes(freedom)
+      ->excludes(weights)
+      ->excludes(max_iterations)
+      ->excludes(tolerance);
   command->add_option("--report", options->report, "JSON report to write");
   command->add_option("--unit", options->unit, "Unit of the model, for messages")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));

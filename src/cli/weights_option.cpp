@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "core/problem/energies.h"
 
@@ -18,7 +19,11 @@ Result<std::map<std::string, double>> parse_weights(const std::string& text) {
       return fail(ErrorCode::Usage, "'" + entry + "' is not of the form name=value", "--weights",
                   "Write for example --weights position=1,fairing=0.1");
     const std::string name = entry.substr(0, equals), number = entry.substr(equals + 1);
-    if (auto known = find_energy(name); !known) return tl::unexpected(known.error());
+    if (auto known = find_energy(name); !known) {
+      Error error = known.error();
+      error.where = "--weights";  // as the user gave it, not as the settings call it
+      return tl::unexpected(std::move(error));
+    }
     double value = 0.0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
     if (error != std::errc() || end != number.data() + number.size() || !std::isfinite(value) || value < 0.0)
