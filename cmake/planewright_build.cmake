@@ -21,7 +21,7 @@ endif()
 
 # planewright_library(NAME SOURCES a.cpp ... [DEPENDS lib ...] [PRIVATE_DEPENDS lib ...])
 # One static library per folder of src/, so that an include against the direction of the
-# architecture does not link (and tests/architecture_test.py says so first).
+# architecture does not link (and tests/architecture_test.cpp says so first).
 function(planewright_library name)
   cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;PRIVATE_DEPENDS" ${ARGN})
   add_library(${name} STATIC ${ARG_SOURCES})
