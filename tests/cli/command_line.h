@@ -31,10 +31,11 @@ class CommandLineTest : public testing::Test {
  protected:
   // before: what the shell does first, "ulimit -f 1;".
   Ended run(const std::vector<std::string>& arguments, const std::string& before = {}) const {
-    std::string command = before + quoted(PLANEWRIGHT_CLI_BINARY);
-    for (const std::string& argument : arguments) command += " " + quoted(argument);
-    command += " > " + quoted((streams_ / "out").string()) + " 2> " + quoted((streams_ / "err").string());
-    const int status = std::system(command.c_str());
+    std::ostringstream command;
+    command << before << quoted(PLANEWRIGHT_CLI_BINARY);
+    for (const std::string& argument : arguments) command << ' ' << quoted(argument);
+    command << " > " << quoted((streams_ / "out").string()) << " 2> " << quoted((streams_ / "err").string());
+    const int status = std::system(command.str().c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(streams_ / "out"),
             text_of(streams_ / "err")};
   }
@@ -59,9 +60,14 @@ class CommandLineTest : public testing::Test {
 
  private:
   static std::string quoted(const std::string& text) {
-    std::string out = "'";
-    for (const char c : text) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    return out + "'";
+    std::string out(1, '\'');
+    for (const char c : text) {
+      if (c == '\'')
+        out += "'\\''";
+      else
+        out += c;
+    }
+    return out += '\'';
   }
   TemporaryFolder streams_;
 };
