@@ -220,8 +220,8 @@ CLI::App* add_solve_command(CLI::App& app, ExitStatus& status, ComplexKind mode,
       command
           ->add_option(
               "--tolerance", options->settings.tolerance,
-              "First-order residual at which the solve counts as converged (weights as given, lengths "
-              "in mean edges)")
+              "First-order residual at which the solve counts as converged (weights relative to the "
+              "largest, lengths in mean edges)")
           ->check(finite_number())
           ->check(CLI::PositiveNumber);
   // What steers an optimisation means nothing where there is none.
