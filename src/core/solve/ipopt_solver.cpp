@@ -222,7 +222,8 @@ class Adapter final : public Ipopt::TNLP {
   }
 
   // Gauss-Newton steps leave the planes' own unknowns without curvature; a little keeps their turns moderate
-  // (measured: the train station converges in 116 iterations with it, not at all in 500 without).
+  // (measured with otherwise equal options: the train station converged with it, and not in 500 steps
+  // without).
   void damp_planes(Number* hessian) const {
     const auto& diagonal = problem_.hessian_diagonal();
     const double damping = curvature_.plane_damping();
