@@ -8,6 +8,7 @@
 #include "ui/format.h"
 #include "ui/panels.h"
 #include "ui/viewport.h"
+#include "ui/viewport_overlays.h"
 
 namespace planewright::ui {
 namespace {

@@ -10,8 +10,9 @@
 #include <utility>
 
 #include "ui/format.h"
-#include "ui/render/colour_map.h"
 #include "ui/render/picking.h"
+#include "ui/render_target.h"
+#include "ui/viewport_overlays.h"
 
 namespace planewright::ui {
 namespace {
@@ -19,62 +20,7 @@ namespace {
 constexpr float kClickSlop = 4;      // pixels at scale 1 that a click may wander
 constexpr float kEdgeReach = 7;      // pixels at scale 1 within which an edge is hit
 constexpr double kSlowPicture = 28;  // milliseconds above which a moving picture is drawn coarser
-constexpr float kLegendBar = 10;     // height of the legend's colours at scale 1
 constexpr double kZoomPerNotch = 1.15;
-
-// The texture and depth buffer that the model is drawn into.
-class Target {
- public:
-  Target() = default;
-  Target(const Target&) = delete;
-  Target& operator=(const Target&) = delete;
-  ~Target() { release(); }
-
-  // True if the size changed, so that the picture is gone.
-  bool resize(int width, int height) {
-    if (width == width_ && height == height_) return false;
-    release();
-    width_ = width;
-    height_ = height;
-    glGenTextures(1, &texture_);
-    glBindTexture(GL_TEXTURE_2D, texture_);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    glBindTexture(GL_TEXTURE_2D, 0);
-    glGenRenderbuffers(1, &depth_);
-    glBindRenderbuffer(GL_RENDERBUFFER, depth_);
-    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT24, width, height);
-    glBindRenderbuffer(GL_RENDERBUFFER, 0);
-    glGenFramebuffers(1, &framebuffer_);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, texture_, 0);
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, depth_);
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    return true;
-  }
-  GLuint framebuffer() const { return framebuffer_; }
-  ImTextureID texture() const { return reinterpret_cast<ImTextureID>(static_cast<std::uintptr_t>(texture_)); }
-  int width() const { return width_; }
-  int height() const { return height_; }
-
- private:
-  void release() {
-    if (framebuffer_ != 0) glDeleteFramebuffers(1, &framebuffer_);
-    if (depth_ != 0) glDeleteRenderbuffers(1, &depth_);
-    if (texture_ != 0) glDeleteTextures(1, &texture_);
-    framebuffer_ = depth_ = texture_ = 0;
-  }
-
-  GLuint framebuffer_ = 0, texture_ = 0, depth_ = 0;
-  int width_ = 0, height_ = 0;
-};
-
-ImU32 to_colour(glm::vec3 rgb) {
-  return ImGui::ColorConvertFloat4ToU32(ImVec4(rgb.r, rgb.g, rgb.b, 1.0f));
-}
 
 render::ColourScale colour_scale(const AppState& state, const std::string& unit) {
   render::ColourScale scale;
@@ -100,16 +46,12 @@ bool same(const std::optional<render::ColourScale>& a, const std::optional<rende
 
 }  // namespace
 
-ImVec2 legend_size(const Ui& ui) {
-  return {ui.px(284), 2 * ui.theme().small()->FontSize + ui.px(kLegendBar) + 3 * ui.px(8)};
-}
-
 struct Viewport::Impl {
   explicit Impl(render::Renderer r) : renderer(std::move(r)) {}
 
   render::Renderer renderer;
   render::Camera camera;
-  Target target;
+  RenderTarget target;
   Rect place{};           // on the window
   float pixel_ratio = 1;  // framebuffer pixels per window pixel
 
@@ -179,10 +121,6 @@ struct Viewport::Impl {
   void mouse(Ui& ui, AppState& state, bool hovered_now);
   void click(Ui& ui, AppState& state, ImVec2 at);
   void picture(Ui& ui, AppState& state);
-  void overlays(Ui& ui, const AppState& state, const std::string& unit) const;
-  void draw_legend(Ui& ui, ImDrawList& draw) const;
-  void draw_badge(Ui& ui, const AppState& state, const std::string& unit, ImDrawList& draw) const;
-  void draw_axes(Ui& ui, ImDrawList& draw) const;
 };
 
 Result<Viewport> Viewport::create() {
@@ -430,7 +368,9 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::strin
   v.picture(ui, state);
   if (v.redrawn) state.timings.scene.add(watch.milliseconds());
   ImGui::GetWindowDrawList()->AddImage(v.target.texture(), place.min, place.max, ImVec2(0, 1), ImVec2(1, 0));
-  v.overlays(ui, state, unit);
+  draw_badge(ui, state, v.place, unit, v.shown ? std::optional(v.shown->planarity.max) : std::nullopt);
+  if (v.scale && v.shown) draw_legend(ui, v.place, *v.scale, v.colours);
+  draw_axes(ui, v.place, v.camera);
   ImGui::End();
 }
 
@@ -560,131 +500,6 @@ void Viewport::Impl::picture(Ui& ui, AppState& state) {
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   if (!coarse && moving) glFinish();  // only while moving: to know whether coarse is worth it
   if (!coarse) full_ms = watch.milliseconds();
-}
-
-// --- Overlays --------------------------------------------------------------------------------
-
-void Viewport::Impl::overlays(Ui& ui, const AppState& state, const std::string& unit) const {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw_badge(ui, state, unit, draw);
-  if (scale && shown) draw_legend(ui, draw);
-  draw_axes(ui, draw);
-}
-
-void Viewport::Impl::draw_badge(Ui& ui, const AppState& state, const std::string& unit,
-                                ImDrawList& draw) const {
-  const Palette& p = ui.colours();
-  std::string text;
-  ImU32 dot = p.ink_faint;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "  ·  ") + part; };
-  if (state.loading()) {
-    add("Opening " + state.loading_name());
-    dot = p.accent;
-  } else if (state.document().empty()) {
-    return;
-  } else if (state.solving()) {
-    dot = p.accent;
-    add("Solving");
-    if (!state.history().empty()) {
-      add("step " + format_count(state.history().back().number));
-      add(format_duration(state.history().back().seconds));
-    }
-  } else if (const SolveReport* report = state.report()) {
-    const bool good = report->status == SolveStatus::Converged;
-    dot = good ? p.good : p.warning;
-    add(capitalised(planewright::name(report->status)));
-  }
-  if (const SolveReport* report = state.report(); report != nullptr && !state.solving()) {
-    if (!report->solver.empty()) add(capitalised(report->solver));
-  }
-  if (shown) {
-    const double off = shown->planarity.max;
-    add((off <= state.planarity_tolerance() ? "planar to " : "planarity ") + format_with_unit(off, unit));
-  }
-  if (const double ms = state.milliseconds_per_step(); ms > 0) add(format_duration(ms / 1000) + "/step");
-  if (text.empty()) return;
-
-  ImFont* font = ui.theme().small();
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-  const float height = ui.px(26), left = ui.px(22);
-  const ImVec2 min(place.min.x + ui.px(12), place.min.y + ui.px(12));
-  const ImVec2 max(min.x + left + size.x + ui.px(12), min.y + height);
-  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(13));
-  draw.AddRect(min, max, p.line, ui.px(13));
-  draw.AddCircleFilled(ImVec2(min.x + ui.px(13), 0.5f * (min.y + max.y)), ui.px(4), dot, 16);
-  draw_text_aligned(draw, font, ImVec2(min.x + left, min.y), max, 0.0f, p.ink, text);
-}
-
-void Viewport::Impl::draw_legend(Ui& ui, ImDrawList& draw) const {
-  const Palette& p = ui.colours();
-  ImFont* font = ui.theme().small();
-  const float bar = ui.px(kLegendBar), pad = ui.px(12);
-  const ImVec2 size = legend_size(ui);
-  const ImVec2 min(place.min.x + ui.px(12), place.max.y - ui.px(12) - size.y);
-  const ImVec2 max(min.x + size.x, min.y + size.y);
-  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(5));
-  draw.AddRect(min, max, p.line, ui.px(5));
-
-  const float x0 = min.x + pad, x1 = max.x - pad;
-  float y = min.y + ui.px(8);
-  draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 0.0f, p.ink, scale->quantity);
-  const std::string what =
-      colours == ColourMap::Planarity ? "corner to plane of its panel" : "point to wanted place";
-  draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 1.0f, p.ink_faint, what);
-  y += font->FontSize + ui.px(4);
-  // With a tolerance the bar has two stretches: what keeps it, and what misses it; like the map itself.
-  constexpr double kKept = 0.34;
-  const double span = scale->high - scale->low;
-  const auto value_at = [&](double t) {
-    if (!scale->tolerance) return scale->low + span * t;
-    const double tolerance = *scale->tolerance;
-    return t < kKept ? scale->low + (tolerance - scale->low) * t / kKept
-                     : tolerance + (scale->high - tolerance) * (t - kKept) / (1 - kKept);
-  };
-  constexpr int kBands = 130;
-  for (int i = 0; i < kBands; ++i) {
-    const float a = x0 + (x1 - x0) * static_cast<float>(i) / kBands;
-    const float b = x0 + (x1 - x0) * static_cast<float>(i + 1) / kBands;
-    draw.AddRectFilled(ImVec2(a, y), ImVec2(b, y + bar),
-                       to_colour(render::colour_of(*scale, value_at((i + 0.5) / kBands))));
-  }
-  y += bar + ui.px(4);
-  const ImVec2 low(x0, y), high(x1, y + font->FontSize);
-  draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, format_number(scale->low));
-  draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, format_with_unit(scale->high, scale->unit));
-  const double middle = scale->tolerance ? kKept : 0.5;
-  const float x = x0 + static_cast<float>(middle) * (x1 - x0);
-  const std::string label = (scale->tolerance ? "planar ≤ " : "") + format_number(value_at(middle));
-  const float half = 0.5f * font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, label.c_str()).x;
-  draw.AddLine(ImVec2(x, y - bar - ui.px(6)), ImVec2(x, y - ui.px(2)), p.ink_soft);
-  draw_text_aligned(draw, font, ImVec2(x - half, low.y), ImVec2(x + half, high.y), 0.5f, p.ink_soft, label);
-}
-
-void Viewport::Impl::draw_axes(Ui& ui, ImDrawList& draw) const {
-  const Palette& p = ui.colours();
-  const ImVec2 centre(place.max.x - ui.px(44), place.max.y - ui.px(44));
-  const float length = ui.px(24);
-  const char* names[] = {"x", "y", "z"};
-  struct Axis {
-    ImVec2 tip;
-    double depth;
-    int index;
-  };
-  Axis axes[3];
-  for (int i = 0; i < 3; ++i) {
-    const Vector3d axis = Vector3d::Unit(i);
-    axes[i] = {ImVec2(centre.x + length * static_cast<float>(axis.dot(camera.right())),
-                      centre.y - length * static_cast<float>(axis.dot(camera.up()))),
-               axis.dot(camera.forward()), i};
-  }
-  std::sort(std::begin(axes), std::end(axes), [](const Axis& a, const Axis& b) { return a.depth > b.depth; });
-  for (const Axis& axis : axes) {
-    const ImU32 ink = axis.depth > 0.25 ? p.ink_faint : p.ink_soft;
-    draw.AddLine(centre, axis.tip, ink, ui.px(1.5f));
-    const ImVec2 at(centre.x + 1.42f * (axis.tip.x - centre.x), centre.y + 1.42f * (axis.tip.y - centre.y));
-    draw_text_aligned(draw, ui.theme().small(), ImVec2(at.x - 6, at.y - 8), ImVec2(at.x + 6, at.y + 8), 0.5f,
-                      ink, names[axis.index]);
-  }
 }
 
 }  // namespace planewright::ui

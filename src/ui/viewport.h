@@ -1,5 +1,5 @@
 // Viewport: the model in the middle of the window: panels, ghost and marks, the camera that the mouse moves,
-// and what lies over them (badge, legend, axes).
+// with what lies over them (viewport_overlays.h).
 //
 // The model is drawn into a framebuffer of its own, only when something in it has changed; else the last
 // picture is shown again. Where drawing is slow (software renderers), the picture is coarser while the camera
@@ -19,9 +19,6 @@
 #include "ui/widgets.h"
 
 namespace planewright::ui {
-
-// Of the colours' legend at the bottom left.
-ImVec2 legend_size(const Ui& ui);
 
 class Viewport {
  public:

@@ -1,0 +1,144 @@
+#include "ui/viewport_overlays.h"
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cfloat>
+
+#include "ui/format.h"
+#include "ui/render/colour_map.h"
+
+namespace planewright::ui {
+namespace {
+
+constexpr float kLegendBar = 10;  // height of the legend's colours at scale 1
+
+ImU32 to_colour(glm::vec3 rgb) {
+  return ImGui::ColorConvertFloat4ToU32(ImVec4(rgb.r, rgb.g, rgb.b, 1.0f));
+}
+
+}  // namespace
+
+ImVec2 legend_size(const Ui& ui) {
+  return {ui.px(284), 2 * ui.theme().small()->FontSize + ui.px(kLegendBar) + 3 * ui.px(8)};
+}
+
+void draw_badge(Ui& ui, const AppState& state, const Rect& place, const std::string& unit,
+                std::optional<double> planarity) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Palette& p = ui.colours();
+  std::string text;
+  ImU32 dot = p.ink_faint;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "  ·  ") + part; };
+  if (state.loading()) {
+    add("Opening " + state.loading_name());
+    dot = p.accent;
+  } else if (state.document().empty()) {
+    return;
+  } else if (state.solving()) {
+    dot = p.accent;
+    add("Solving");
+    if (!state.history().empty()) {
+      add("step " + format_count(state.history().back().number));
+      add(format_duration(state.history().back().seconds));
+    }
+  } else if (const SolveReport* report = state.report()) {
+    const bool good = report->status == SolveStatus::Converged;
+    dot = good ? p.good : p.warning;
+    add(capitalised(planewright::name(report->status)));
+  }
+  if (const SolveReport* report = state.report(); report != nullptr && !state.solving()) {
+    if (!report->solver.empty()) add(capitalised(report->solver));
+  }
+  if (planarity)
+    add((*planarity <= state.planarity_tolerance() ? "planar to " : "planarity ") +
+        format_with_unit(*planarity, unit));
+  if (const double ms = state.milliseconds_per_step(); ms > 0) add(format_duration(ms / 1000) + "/step");
+  if (text.empty()) return;
+
+  ImFont* font = ui.theme().small();
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+  const float height = ui.px(26), left = ui.px(22);
+  const ImVec2 min(place.min.x + ui.px(12), place.min.y + ui.px(12));
+  const ImVec2 max(min.x + left + size.x + ui.px(12), min.y + height);
+  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(13));
+  draw.AddRect(min, max, p.line, ui.px(13));
+  draw.AddCircleFilled(ImVec2(min.x + ui.px(13), 0.5f * (min.y + max.y)), ui.px(4), dot, 16);
+  draw_text_aligned(draw, font, ImVec2(min.x + left, min.y), max, 0.0f, p.ink, text);
+}
+
+void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, ColourMap colours) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Palette& p = ui.colours();
+  ImFont* font = ui.theme().small();
+  const float bar = ui.px(kLegendBar), pad = ui.px(12);
+  const ImVec2 size = legend_size(ui);
+  const ImVec2 min(place.min.x + ui.px(12), place.max.y - ui.px(12) - size.y);
+  const ImVec2 max(min.x + size.x, min.y + size.y);
+  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(5));
+  draw.AddRect(min, max, p.line, ui.px(5));
+
+  const float x0 = min.x + pad, x1 = max.x - pad;
+  float y = min.y + ui.px(8);
+  draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 0.0f, p.ink, scale.quantity);
+  const std::string what =
+      colours == ColourMap::Planarity ? "corner to plane of its panel" : "point to wanted place";
+  draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 1.0f, p.ink_faint, what);
+  y += font->FontSize + ui.px(4);
+  // With a tolerance the bar has two stretches: what keeps it, and what misses it; like the map itself.
+  constexpr double kKept = 0.34;
+  const double span = scale.high - scale.low;
+  const auto value_at = [&](double t) {
+    if (!scale.tolerance) return scale.low + span * t;
+    const double tolerance = *scale.tolerance;
+    return t < kKept ? scale.low + (tolerance - scale.low) * t / kKept
+                     : tolerance + (scale.high - tolerance) * (t - kKept) / (1 - kKept);
+  };
+  constexpr int kBands = 130;
+  for (int i = 0; i < kBands; ++i) {
+    const float a = x0 + (x1 - x0) * static_cast<float>(i) / kBands;
+    const float b = x0 + (x1 - x0) * static_cast<float>(i + 1) / kBands;
+    draw.AddRectFilled(ImVec2(a, y), ImVec2(b, y + bar),
+                       to_colour(render::colour_of(scale, value_at((i + 0.5) / kBands))));
+  }
+  y += bar + ui.px(4);
+  const ImVec2 low(x0, y), high(x1, y + font->FontSize);
+  draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, format_number(scale.low));
+  draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, format_with_unit(scale.high, scale.unit));
+  const double middle = scale.tolerance ? kKept : 0.5;
+  const float x = x0 + static_cast<float>(middle) * (x1 - x0);
+  const std::string label = (scale.tolerance ? "planar ≤ " : "") + format_number(value_at(middle));
+  const float half = 0.5f * font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, label.c_str()).x;
+  draw.AddLine(ImVec2(x, y - bar - ui.px(6)), ImVec2(x, y - ui.px(2)), p.ink_soft);
+  draw_text_aligned(draw, font, ImVec2(x - half, low.y), ImVec2(x + half, high.y), 0.5f, p.ink_soft, label);
+}
+
+void draw_axes(Ui& ui, const Rect& place, const render::Camera& camera) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Palette& p = ui.colours();
+  const ImVec2 centre(place.max.x - ui.px(44), place.max.y - ui.px(44));
+  const float length = ui.px(24);
+  const char* names[] = {"x", "y", "z"};
+  struct Axis {
+    ImVec2 tip;
+    double depth;
+    int index;
+  };
+  Axis axes[3];
+  for (int i = 0; i < 3; ++i) {
+    const Vector3d axis = Vector3d::Unit(i);
+    axes[i] = {ImVec2(centre.x + length * static_cast<float>(axis.dot(camera.right())),
+                      centre.y - length * static_cast<float>(axis.dot(camera.up()))),
+               axis.dot(camera.forward()), i};
+  }
+  std::sort(std::begin(axes), std::end(axes), [](const Axis& a, const Axis& b) { return a.depth > b.depth; });
+  for (const Axis& axis : axes) {
+    const ImU32 ink = axis.depth > 0.25 ? p.ink_faint : p.ink_soft;
+    draw.AddLine(centre, axis.tip, ink, ui.px(1.5f));
+    const ImVec2 at(centre.x + 1.42f * (axis.tip.x - centre.x), centre.y + 1.42f * (axis.tip.y - centre.y));
+    draw_text_aligned(draw, ui.theme().small(), ImVec2(at.x - 6, at.y - 8), ImVec2(at.x + 6, at.y + 8), 0.5f,
+                      ink, names[axis.index]);
+  }
+}
+
+}  // namespace planewright::ui

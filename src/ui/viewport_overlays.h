@@ -1,0 +1,28 @@
+// What lies over the model: the badge that says how the solve stands, the colours' legend, the axes. Each
+// draws into the current Dear ImGui window. Threads: the window's. Units: `place` in pixels of the window;
+// lengths in model units.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "ui/app_state.h"
+#include "ui/layout.h"
+#include "ui/render/camera.h"
+#include "ui/render/scene.h"
+#include "ui/widgets.h"
+
+namespace planewright::ui {
+
+// Top left. planarity: the largest deviation of the panels shown; none before there are any.
+void draw_badge(Ui& ui, const AppState& state, const Rect& place, const std::string& unit,
+                std::optional<double> planarity);
+
+// Bottom left; its size, for what has to stand beside it.
+ImVec2 legend_size(const Ui& ui);
+void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, ColourMap colours);
+
+// Bottom right.
+void draw_axes(Ui& ui, const Rect& place, const render::Camera& camera);
+
+}  // namespace planewright::ui
