@@ -78,7 +78,7 @@ void draw_keys_card(Desk& desk) {
     ImGui::EndGroup();
     ImGui::SameLine(0, ui.px(24));
     ImGui::BeginGroup();
-    key_row(ui, "drag", "orbit round the point under the mouse");
+    key_row(ui, "drag", "orbit round what is there");
     key_row(ui, "shift drag", "pan (also middle or right button)");
     key_row(ui, "wheel", "zoom to the mouse");
     key_row(ui, "double click", "centre on the point");
