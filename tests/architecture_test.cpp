@@ -16,7 +16,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Include {
-  std::string file;  // below src/, "core/solve/design.cpp"
+  std::string file;  // below src/, "core/design/design.cpp"
   int line;
   std::string header;  // as written, without quotes or brackets
 };
@@ -46,10 +46,13 @@ const std::vector<Include>& includes() {
   return all;
 }
 
-// "core/solve" of "core/solve/design.h"; "ui/render" and "ui" are different folders.
+// "core/solve" of "core/solve/solver.h"; "ui/render" and "ui" are different folders, while folders inside one
+// of the core's are parts of it.
 std::string folder(const std::string& path) {
   const size_t slash = path.rfind('/');
-  return slash == std::string::npos ? "" : path.substr(0, slash);
+  if (slash == std::string::npos) return "";
+  const std::string whole = path.substr(0, slash), core = "core/";
+  return whole.starts_with(core) ? whole.substr(0, whole.find('/', core.size())) : whole;
 }
 
 std::string place(const Include& include) {
@@ -72,8 +75,12 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     r["core/solve"] = {"core/base", "core/mesh", "core/complex", "core/problem"};
     // Diagnosis measures complexes and states, whatever made them.
     r["core/diagnose"] = {"core/base", "core/mesh", "core/complex", "core/problem", "core/solve"};
-    r["core/edit"] = {"core/base",    "core/mesh",  "core/complex",
-                      "core/problem", "core/solve", "core/diagnose"};
+    // Offsets and beams are made of finished states.
+    r["core/layers"] = {"core/base", "core/mesh", "core/complex"};
+    r["core/design"] = {"core/base",  "core/mesh",     "core/complex", "core/problem",
+                        "core/solve", "core/diagnose", "core/layers"};
+    r["core/edit"] = r["core/design"];
+    r["core/edit"].insert("core/design");
     r["core/export"] = r["core/edit"];
     r["core/export"].insert("core/edit");
     const std::set<std::string> core = [&] {

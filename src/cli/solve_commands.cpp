@@ -17,7 +17,7 @@
 #include "core/complex/explicit_intersection.h"
 #include "core/export/solve_record.h"
 #include "core/mesh/mesh_io.h"
-#include "core/solve/design.h"
+#include "core/design/design.h"
 #include "core/solve/ipopt_solver.h"
 
 namespace planewright::cli {
@@ -29,7 +29,7 @@ constexpr double kPlanarRelativeToBox = 1e-9;
 
 struct SolveCommandOptions {
   std::string input, output, report, unit = "m", weights, solver = "ipopt";
-  DesignSettings settings;
+  LayerSettings settings;
   bool quiet = false, explicit_points = false;
   bool mode_by_mesh = false;  // `panels`: triangles become a dual, anything else is planarized
 };
@@ -106,7 +106,7 @@ SolveReport solve_explicitly(const TangentComplex& complex) {
 // the problem cannot be stated.
 std::vector<SolveReport::Energy> energies_at(const State& state,
                                              const std::shared_ptr<const TangentComplex>& complex,
-                                             const DesignSettings& settings) {
+                                             const LayerSettings& settings) {
   std::vector<SolveReport::Energy> energies;
   const auto problem = build_problem(complex, settings);
   if (!problem) return energies;

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <utility>
 
-#include "core/problem/energies.h"
+#include "core/problem/energies/energy_catalogue.h"
 
 namespace planewright::cli {
 

@@ -151,7 +151,7 @@ void Actions::apply_requested() {
 }
 
 void Actions::set_mode(ComplexKind mode) {
-  DesignSettings settings = state_.document().settings();
+  LayerSettings settings = state_.document().settings();
   settings.mode = mode;
   state_.change_settings(std::move(settings), mode == ComplexKind::Dual ? "Mode dual" : "Mode planarize");
 }

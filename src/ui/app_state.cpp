@@ -6,8 +6,8 @@
 
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
-#include "core/problem/energies.h"
-#include "core/solve/design.h"
+#include "core/problem/energies/energy_catalogue.h"
+#include "core/design/design.h"
 #include "ui/format.h"
 
 namespace planewright::ui {
@@ -32,8 +32,8 @@ double round_up(double value) {
   return 10.0 * power;
 }
 
-DesignSettings default_settings(const PolygonMesh& mesh) {
-  DesignSettings settings;
+LayerSettings default_settings(const PolygonMesh& mesh) {
+  LayerSettings settings;
   settings.mode = suggested_mode(mesh);
   settings.weights.clear();
   for (const EnergyInfo& energy : energy_catalogue()) settings.weights[energy.name] = energy.default_weight;
@@ -88,7 +88,7 @@ void AppState::begin_load(std::string name, std::function<Result<Loaded>()> load
 }
 
 void AppState::adopt(Loaded loaded) {
-  DesignSettings settings = default_settings(loaded.mesh.mesh);
+  LayerSettings settings = default_settings(loaded.mesh.mesh);
   // The designer's weights and policies outlive the model; mode and offset belong to it.
   if (!document_.empty()) {
     settings.weights = document_.settings().weights;
@@ -150,7 +150,7 @@ void AppState::export_panels(const std::filesystem::path& path) {
 
 // --- Edits -----------------------------------------------------------------------------------
 
-void AppState::change_settings(DesignSettings settings, std::string what, std::string merge_key) {
+void AppState::change_settings(LayerSettings settings, std::string what, std::string merge_key) {
   if (document_.empty()) return;
   const auto before = document_.revision();
   const bool drags = !merge_key.empty();

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "core/edit/document.h"
-#include "core/solve/solve_session.h"
+#include "core/design/solve_session.h"
 #include "ui/background_task.h"
 #include "ui/frame_timings.h"
 #include "ui/mesh_view.h"
@@ -71,7 +71,7 @@ class AppState {
 
   // --- Edits. Each re-solves (or, without auto-solve, waits for the designer to say so).
   const Document& document() const { return document_; }
-  void change_settings(DesignSettings settings, std::string what, std::string merge_key = {});
+  void change_settings(LayerSettings settings, std::string what, std::string merge_key = {});
   void end_merge();
   bool flip_edge(int edge);  // a refusal becomes a message
   void undo();

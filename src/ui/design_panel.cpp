@@ -2,7 +2,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/problem/energies.h"
+#include "core/problem/energies/energy_catalogue.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 
@@ -40,7 +40,7 @@ void draw_weights(Desk& desk) {
   Ui& ui = desk.ui;
   AppState& state = desk.state;
   for (const EnergyInfo& energy : energy_catalogue()) {
-    DesignSettings settings = state.document().settings();
+    LayerSettings settings = state.document().settings();
     double& weight = settings.weights[energy.name];
     const std::string about = energy.description +
                               " Weight 1 means the same on every model; right of it stronger. "
@@ -58,7 +58,7 @@ void draw_weights(Desk& desk) {
 void draw_freedom(Desk& desk) {
   Ui& ui = desk.ui;
   AppState& state = desk.state;
-  DesignSettings settings = state.document().settings();
+  LayerSettings settings = state.document().settings();
 
   double step = 0.01;
   if (state.mesh_view()) {

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/problem/energies.h"
+#include "core/problem/energies/energy_catalogue.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 

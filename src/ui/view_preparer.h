@@ -16,7 +16,7 @@
 
 #include "core/diagnose/ill_determined.h"
 #include "core/diagnose/planarity.h"
-#include "core/solve/solve_session.h"
+#include "core/design/solve_session.h"
 #include "ui/mesh_view.h"
 #include "ui/render/panel_arrays.h"
 

@@ -4,7 +4,7 @@
 #include "cli/command_line.h"
 #include "core/diagnose/planarity.h"
 #include "core/mesh/mesh_io.h"
-#include "core/problem/energies.h"
+#include "core/problem/energies/energy_catalogue.h"
 #include "support/shared_meshes.h"
 
 namespace planewright {

@@ -30,8 +30,8 @@ bool settle(AppState& state) {
   return run_until(state, [&] { return state.settled() && !state.document().empty(); });
 }
 
-DesignSettings with_fairing(const AppState& state, double weight) {
-  DesignSettings settings = state.document().settings();
+LayerSettings with_fairing(const AppState& state, double weight) {
+  LayerSettings settings = state.document().settings();
   settings.weights["fairing"] = weight;
   return settings;
 }
@@ -273,7 +273,7 @@ TEST(AppState, ColourRangeIsRoundAndLocks) {
   EXPECT_GE(range, state.shown()->displacement.max);
   EXPECT_LE(range, 3 * std::max(state.shown()->displacement.max, 1e-3 * state.shown()->complex().mean_edge));
   state.view_options.lock_range = true;
-  DesignSettings settings = state.document().settings();
+  LayerSettings settings = state.document().settings();
   settings.offset = 5.0;
   state.change_settings(settings, "Offset");
   ASSERT_TRUE(settle(state));

@@ -1,7 +1,9 @@
 #include "core/complex/dual.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 #include "core/complex/local_mesh.h"
 
@@ -26,6 +28,8 @@ class DualBuilder {
     add_panels();
     store_points();
     finish(complex_);
+    complex_.input = local_.input_surface(primal_);
+    add_crossed_edges();
     return std::move(complex_);
   }
 
@@ -51,11 +55,13 @@ class DualBuilder {
     }
   }
 
-  int add_point(const Vector3d& wanted, PointOrigin origin, std::vector<int> planes) {
+  // face: the mesh face it belongs to, or -1.
+  int add_point(const Vector3d& wanted, PointOrigin origin, int face, std::vector<int> planes) {
     std::sort(planes.begin(), planes.end());
     planes.erase(std::unique(planes.begin(), planes.end()), planes.end());
     wanted_.push_back(wanted);
     complex_.point_origin.push_back(origin);
+    complex_.face_of_point.push_back(face);
     complex_.planes_of_point.push_back(planes);
     return static_cast<int>(wanted_.size()) - 1;
   }
@@ -69,7 +75,7 @@ class DualBuilder {
       return;
     }
     const Vector3d wanted = centroid(local_.positions, faces_[f]) + options_.offset * local_.face_normal(f);
-    point_of_face_.push_back(add_point(wanted, {PointKind::Face, f}, std::move(planes)));
+    point_of_face_.push_back(add_point(wanted, {PointKind::Face, f}, f, std::move(planes)));
   }
 
   void add_border_edge_points() {
@@ -80,7 +86,7 @@ class DualBuilder {
       const int face = edge.left >= 0 ? edge.left : edge.right;
       const Vector3d middle = 0.5 * (local_.positions.row(edge.a) + local_.positions.row(edge.b));
       point_of_edge_[e] =
-          add_point(middle + options_.offset * local_.face_normal(face), {PointKind::BorderEdge, e},
+          add_point(middle + options_.offset * local_.face_normal(face), {PointKind::BorderEdge, e}, face,
                     {plane_of_vertex_[edge.a], plane_of_vertex_[edge.b]});
     }
   }
@@ -91,7 +97,7 @@ class DualBuilder {
       const int i = plane_of_vertex_[v];
       if (i < 0 || !primal_.is_border_vertex(v)) continue;
       const Vector3d wanted = complex_.anchors.row(i) + options_.offset * complex_.normals.row(i);
-      corner_of_vertex_[v] = add_point(wanted, {PointKind::Corner, v}, {i});
+      corner_of_vertex_[v] = add_point(wanted, {PointKind::Corner, v}, -1, {i});
     }
   }
 
@@ -105,11 +111,38 @@ class DualBuilder {
       const auto edges = primal_.edges_around(v);
       if (border) panel.push_back(point_of_edge_[edges.front()]);
       for (int f : primal_.faces_around(v)) panel.push_back(point_of_face_[f]);
-      if (border) {
-        panel.push_back(point_of_edge_[edges.back()]);
-        panel.push_back(corner_of_vertex_[v]);
-      }
+      // edges[k] lies before faces[k]; so do the steps of the outline that cross it.
+      const size_t first = border ? 0 : 1;
+      if (border) panel.push_back(point_of_edge_[edges.back()]);
+      for (size_t k = 0; k < (border ? panel.size() - 1 : panel.size()); ++k)
+        crossings_.push_back({panel[k], panel[(k + 1) % panel.size()], v,
+                              other_end(edges[(k + first) % edges.size()], v)});
+      if (border) panel.push_back(corner_of_vertex_[v]);
       complex_.panels.push_back(panel);
+    }
+  }
+
+  int other_end(int edge, int v) const {
+    const MeshEdge e = primal_.edge(edge);
+    return e.a == v ? e.b : e.a;
+  }
+
+  // Valence-2 vertices can give two panel edges between the same points: those of the same left panel.
+  void add_crossed_edges() {
+    std::map<std::array<int, 3>, int> across;  // a, b, vertex whose outline runs a -> b
+    for (const Crossing& c : crossings_) across[{c.a, c.b, c.vertex}] = c.other;
+    for (const PanelEdge& edge : complex_.panel_edges) {
+      std::array<int, 2> crossed{-1, -1};
+      if (edge.left >= 0) {
+        const int vertex = complex_.plane_origin[edge.left];
+        if (const auto found = across.find({edge.a, edge.b, vertex}); found != across.end())
+          crossed = {vertex, found->second};
+      } else {
+        const int vertex = complex_.plane_origin[edge.right];
+        if (const auto found = across.find({edge.b, edge.a, vertex}); found != across.end())
+          crossed = {found->second, vertex};
+      }
+      complex_.crossed_edge.push_back(crossed);
     }
   }
 
@@ -125,6 +158,11 @@ class DualBuilder {
   Polygons faces_;
   TangentComplex complex_;
   std::vector<Vector3d> wanted_;
+  // A step a -> b of the outline of `vertex`'s panel crosses the mesh edge from there to `other`.
+  struct Crossing {
+    int a, b, vertex, other;
+  };
+  std::vector<Crossing> crossings_;
   std::vector<int> plane_of_vertex_, point_of_face_, point_of_edge_, corner_of_vertex_;
 };
 

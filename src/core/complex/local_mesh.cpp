@@ -68,4 +68,10 @@ Vector3d LocalMesh::vertex_normal(const PolygonMesh& mesh, int v) const {
   return largest_face >= 0 ? face_normal(largest_face) : Vector3d::UnitZ();
 }
 
+InputSurface LocalMesh::input_surface(const PolygonMesh& mesh) const {
+  InputSurface input{positions, Points(positions.rows(), 3), mesh.faces(), face_normals_};
+  for (int v = 0; v < mesh.vertex_count(); ++v) input.vertex_normals.row(v) = vertex_normal(mesh, v);
+  return input;
+}
+
 }  // namespace planewright

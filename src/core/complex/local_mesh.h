@@ -6,6 +6,7 @@
 #pragma once
 
 #include "core/base/geometry.h"
+#include "core/complex/tangent_complex.h"
 #include "core/mesh/polygon_mesh.h"
 
 namespace planewright {
@@ -21,6 +22,8 @@ struct LocalMesh {
   Vector3d face_normal(int f) const { return face_normals_.row(f); }
   // Area-weighted; where the faces cancel out (a fold), the normal of the largest one.
   Vector3d vertex_normal(const PolygonMesh& mesh, int v) const;
+  // The whole mesh as a complex keeps it; an isolated vertex gets the normal z.
+  InputSurface input_surface(const PolygonMesh& mesh) const;
 
  private:
   Points face_normals_;  // #F x 3

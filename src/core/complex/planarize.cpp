@@ -51,6 +51,9 @@ Result<TangentComplex> build_planarize(const PolygonMesh& mesh, const PlanarizeO
     complex.panels.push_back(panel);
   }
   finish(complex);
+  complex.input = local.input_surface(mesh);
+  complex.face_of_point.assign(complex.point_origin.size(), -1);
+  complex.crossed_edge.assign(complex.panel_edges.size(), {-1, -1});
   return complex;
 }
 

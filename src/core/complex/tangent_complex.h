@@ -13,6 +13,7 @@
 // Threads: plain data, immutable once built; share it as std::shared_ptr<const TangentComplex>.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -42,6 +43,15 @@ struct PanelEdge {
   bool border() const { return left < 0 || right < 0; }
 };
 
+// The designer's mesh, as the constraints of [Z 3] and closeness refer to it. Relative to the origin of the
+// complex; indices are the mesh's own.
+struct InputSurface {
+  Points vertices;        // #V x 3
+  Points vertex_normals;  // #V x 3, unit, area-weighted
+  Polygons faces;
+  Points face_normals;  // #F x 3, unit
+};
+
 struct TangentComplex {
   ComplexKind kind = ComplexKind::Dual;
   Vector3d origin = Vector3d::Zero();  // model coordinates of the local 0
@@ -57,6 +67,14 @@ struct TangentComplex {
   Polygons panels;           // #P lists of points
   Polygons planes_of_point;  // #X lists of planes, ascending; may hold more planes than panels show
   std::vector<PanelEdge> panel_edges;
+
+  InputSurface input;
+  // Dual: the mesh face that a point belongs to, a border point to its one face; -1 for corners. Planarize:
+  // -1.
+  std::vector<int> face_of_point;  // #X
+  // Dual: the mesh vertices {i, j} of the mesh edge that a panel edge crosses; the outline of i's panel runs
+  // a -> b, that of j's b -> a, whether or not they have a panel. {-1, -1}: along the border, and planarize.
+  std::vector<std::array<int, 2>> crossed_edge;  // #panel_edges
 
   // Mean length of the panel edges at the preferred positions: "one edge", the unit of weights, margins and
   // tolerances. 1 if there is no panel edge of positive length.

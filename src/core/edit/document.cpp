@@ -1,5 +1,6 @@
 #include "core/edit/document.h"
 
+#include <algorithm>
 #include <cassert>
 #include <utility>
 
@@ -33,11 +34,13 @@ Error refusal(const PolygonMesh& mesh, int edge) {
 
 }  // namespace
 
-void Document::open(CheckedMesh mesh, std::string name, DesignSettings settings) {
+void Document::open(CheckedMesh mesh, std::string name, LayerSettings settings) {
   mesh_ = std::make_shared<const PolygonMesh>(std::move(mesh.mesh));
   health_ = std::move(mesh.health);
   name_ = std::move(name);
-  settings_ = std::move(settings);
+  design_ = Design{};
+  design_.layers.front().settings = std::move(settings);
+  active_layer_ = 0;
   steps_.clear();
   done_ = 0;
   merging_ = false;
@@ -58,23 +61,34 @@ Result<void> Document::flip_edge(int edge) {
   auto flipped = std::make_shared<PolygonMesh>(*mesh_);
   [[maybe_unused]] const bool done = flipped->flip(edge);
   assert(done);
-  push({"Flip edge " + std::to_string(edge), {}, mesh_, std::move(flipped), settings_, settings_});
+  push({"Flip edge " + std::to_string(edge), {}, mesh_, std::move(flipped), design_, design_});
   return {};
 }
 
-void Document::change_settings(DesignSettings settings, std::string what, std::string merge_key) {
-  if (settings == settings_) return;
+void Document::set_active_layer(int layer) {
+  active_layer_ = std::clamp(layer, 0, static_cast<int>(design_.layers.size()) - 1);
+}
+
+void Document::change_settings(LayerSettings settings, std::string what, std::string merge_key) {
+  Design design = design_;
+  design.layers[static_cast<std::size_t>(active_layer_)].settings = std::move(settings);
+  change_design(std::move(design), std::move(what), std::move(merge_key));
+}
+
+void Document::change_design(Design design, std::string what, std::string merge_key) {
+  assert(!design.layers.empty());
+  if (design == design_) return;
   const bool merges = merging_ && !merge_key.empty() && done_ > 0 && done_ == steps_.size() &&
                       steps_.back().merge_key == merge_key;
   if (!merges) {
     merging_ = !merge_key.empty();
-    push({std::move(what), std::move(merge_key), mesh_, mesh_, settings_, std::move(settings)});
+    push({std::move(what), std::move(merge_key), mesh_, mesh_, design_, std::move(design)});
     return;
   }
   Step& step = steps_.back();
-  step.settings_after = std::move(settings);
-  apply(mesh_, step.settings_after);
-  if (step.settings_after == step.settings_before) {  // dragged back to where it began
+  step.design_after = std::move(design);
+  apply(mesh_, step.design_after);
+  if (step.design_after == step.design_before) {  // dragged back to where it began
     steps_.pop_back();
     done_ = steps_.size();
     merging_ = false;
@@ -102,14 +116,14 @@ void Document::undo() {
   if (!can_undo()) return;
   merging_ = false;
   const Step& step = steps_[--done_];
-  apply(step.mesh_before, step.settings_before);
+  apply(step.mesh_before, step.design_before);
 }
 
 void Document::redo() {
   if (!can_redo()) return;
   merging_ = false;
   const Step& step = steps_[done_++];
-  apply(step.mesh_after, step.settings_after);
+  apply(step.mesh_after, step.design_after);
 }
 
 void Document::push(Step step) {
@@ -117,12 +131,13 @@ void Document::push(Step step) {
   steps_.resize(done_);
   steps_.push_back(std::move(step));
   done_ = steps_.size();
-  apply(steps_.back().mesh_after, steps_.back().settings_after);
+  apply(steps_.back().mesh_after, steps_.back().design_after);
 }
 
-void Document::apply(const std::shared_ptr<const PolygonMesh>& mesh, const DesignSettings& settings) {
+void Document::apply(const std::shared_ptr<const PolygonMesh>& mesh, const Design& design) {
   mesh_ = mesh;
-  settings_ = settings;
+  design_ = design;
+  set_active_layer(active_layer_);
   ++revision_;
 }
 

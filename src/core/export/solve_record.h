@@ -8,14 +8,14 @@
 #include "core/diagnose/panel_shape.h"
 #include "core/diagnose/planarity.h"
 #include "core/mesh/health_report.h"
-#include "core/solve/design_settings.h"
+#include "core/design/layer_settings.h"
 #include "core/solve/solve_report.h"
 
 namespace planewright {
 
 struct SolveRecord {
   std::string input;
-  DesignSettings settings;
+  LayerSettings settings;
   HealthReport health;
   SolveReport solve;
   int panels = 0, points = 0;

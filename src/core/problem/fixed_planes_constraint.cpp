@@ -18,6 +18,7 @@ class FixedPlanesConstraint final : public Constraint {
     stencils_.push_back({layout.x(point, 0), layout.x(point, 1), layout.x(point, 2)});
     directions_.push_back(direction);
     values_.push_back(value);
+    points_.push_back(point);
   }
 
   std::string_view name() const override { return "incidence"; }
@@ -25,6 +26,7 @@ class FixedPlanesConstraint final : public Constraint {
   int rows() const override { return static_cast<int>(stencils_.size()); }
   std::span<const int> stencil(int row) const override { return stencils_[row]; }
   Bounds bounds(int) const override { return {0.0, 0.0}; }
+  ElementRef element(int row) const override { return {ElementKind::Point, points_[row]}; }
 
   double evaluate(int row, const double* x, double* gradient, double*) const override {
     const Vector3d& b = directions_[row];
@@ -36,6 +38,7 @@ class FixedPlanesConstraint final : public Constraint {
   std::vector<std::array<int, 3>> stencils_;
   std::vector<Vector3d> directions_;
   std::vector<double> values_;
+  std::vector<int> points_;
 };
 
 }  // namespace

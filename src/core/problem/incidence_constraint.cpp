@@ -19,6 +19,7 @@ class IncidenceConstraint final : public Constraint {
         stencils_.push_back({layout.x(j, 0), layout.x(j, 1), layout.x(j, 2), layout.n(i, 0), layout.n(i, 1),
                              layout.n(i, 2), layout.h(i)});
         planes_.push_back(i);
+        points_.push_back(j);
       }
   }
 
@@ -28,6 +29,7 @@ class IncidenceConstraint final : public Constraint {
   std::span<const int> stencil(int row) const override { return stencils_[row]; }
   std::span<const StencilPair> curvature(int) const override { return kCrossTerms; }
   Bounds bounds(int) const override { return {0.0, 0.0}; }
+  ElementRef element(int row) const override { return {ElementKind::Point, points_[row]}; }
 
   double evaluate(int row, const double* z, double* gradient, double* curvature) const override {
     double value = -z[6];
@@ -47,7 +49,7 @@ class IncidenceConstraint final : public Constraint {
  private:
   const Points& anchors_;
   std::vector<std::array<int, 7>> stencils_;
-  std::vector<int> planes_;
+  std::vector<int> planes_, points_;
 };
 
 }  // namespace

@@ -1,9 +1,17 @@
 #include "core/problem/problem.h"
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
-#include "core/problem/energies.h"
+#include "core/problem/contradictions.h"
+#include "core/problem/demands/demand_catalogue.h"
+#include "core/problem/demands/pins.h"
+#include "core/problem/demands/separation.h"
+#include "core/problem/energies/energy_catalogue.h"
 #include "core/problem/fixed_planes_constraint.h"
+#include "core/problem/foot_points.h"
 #include "core/problem/incidence_constraint.h"
 #include "core/problem/pattern_builder.h"
 #include "core/problem/unit_normal_constraint.h"
@@ -19,12 +27,54 @@ TangentComplex normalise(const TangentComplex& complex, const Vector3d& centre, 
   out.preferred = (complex.preferred.rowwise() - centre.transpose()) / scale;
   out.offsets = complex.offsets / scale;
   out.mean_edge = complex.mean_edge / scale;
+  out.input.vertices = (complex.input.vertices.rowwise() - centre.transpose()) / scale;
   return out;
 }
 
 // Copies the variables of a stencil into `local`.
 void gather(const double* z, std::span<const int> stencil, std::vector<double>& local) {
   for (size_t k = 0; k < stencil.size(); ++k) local[k] = z[stencil[k]];
+}
+
+// A demand's values, complete and in mean edges about `centre` (model coordinates).
+Result<std::vector<double>> normalised_values(const DemandInfo& info, const Demand& demand,
+                                              const Vector3d& centre, double scale) {
+  if (demand.values.size() > info.parameters.size())
+    return fail(ErrorCode::Usage,
+                "the demand '" + demand.name + "' takes " + std::to_string(info.parameters.size()) +
+                    " values, not " + std::to_string(demand.values.size()),
+                "demands");
+  std::vector<double> values;
+  for (size_t k = 0; k < info.parameters.size(); ++k) {
+    const DemandParameter& parameter = info.parameters[k];
+    const bool given = k < demand.values.size();
+    double value = given ? demand.values[k] : parameter.default_value;
+    if (!std::isfinite(value))
+      return fail(ErrorCode::Usage,
+                  "'" + parameter.name + "' of the demand '" + demand.name + "' is not a finite number",
+                  "demands");
+    if (std::abs(value) >= kNoLimit) {  // "none", whatever the unit
+      values.push_back(value);
+      continue;
+    }
+    switch (parameter.unit) {
+      case DemandUnit::Length:
+        value /= scale;
+        break;
+      case DemandUnit::CoordinateX:
+      case DemandUnit::CoordinateY:
+      case DemandUnit::CoordinateZ: {
+        const int axis = static_cast<int>(parameter.unit) - static_cast<int>(DemandUnit::CoordinateX);
+        value = (value - centre[axis]) / scale;
+        break;
+      }
+      case DemandUnit::Edges:
+      case DemandUnit::None:
+        break;
+    }
+    values.push_back(value);
+  }
+  return values;
 }
 
 double violation(double value, const Bounds& bounds) {
@@ -34,14 +84,8 @@ double violation(double value, const Bounds& bounds) {
 }  // namespace
 
 Result<std::shared_ptr<const Problem>> Problem::create(std::shared_ptr<const TangentComplex> complex,
-                                                       const ProblemSettings& settings) {
-  for (const auto& [name, weight] : settings.weights) {
-    if (auto known = find_energy(name); !known) return tl::unexpected(known.error());
-    if (!std::isfinite(weight) || weight < 0.0)
-      return fail(ErrorCode::Usage, "the weight of '" + name + "' is not a finite number of at least 0",
-                  "weights", "Give 0 to switch an energy off");
-  }
-
+                                                       const ProblemSettings& settings,
+                                                       const FrozenGeometry& frozen) {
   std::shared_ptr<Problem> problem(new Problem);
   problem->complex_ = complex;
   problem->layout_ = {complex->point_count(), complex->plane_count(), settings.freedom};
@@ -49,29 +93,127 @@ Result<std::shared_ptr<const Problem>> Problem::create(std::shared_ptr<const Tan
   problem->scale_ = complex->mean_edge;
   problem->normalised_ = normalise(*complex, problem->centre_, problem->scale_);
 
-  double largest = 0.0;
-  for (const auto& [name, weight] : settings.weights) largest = std::max(largest, weight);
-  if (largest > 0.0) problem->largest_weight_ = largest;
-
+  if (auto added = problem->add_energies(settings, frozen); !added) return tl::unexpected(added.error());
   const TangentComplex& normalised = problem->normalised_;
-  const Layout& layout = problem->layout_;
+  if (settings.freedom == Freedom::Fixed) {
+    auto fixed = make_fixed_planes_constraint(normalised, problem->layout_);
+    if (!fixed) return tl::unexpected(fixed.error());
+    problem->add_constraint(std::move(*fixed));
+  } else {
+    problem->add_constraint(make_incidence_constraint(normalised, problem->layout_));
+    const int first = problem->rows_;
+    problem->add_constraint(make_unit_normal_constraint(problem->layout_));
+    problem->unit_normal_rows_ = {first, problem->rows_};
+  }
+  if (auto added = problem->add_demands(settings, frozen); !added) return tl::unexpected(added.error());
+  problem->assemble();
+  problem->waive(settings.demands.waived);
+  if (auto possible = check_contradictions(*problem); !possible) return tl::unexpected(possible.error());
+  return std::shared_ptr<const Problem>(std::move(problem));
+}
+
+Result<void> Problem::add_energies(const ProblemSettings& settings, const FrozenGeometry& frozen) {
+  double largest = 0.0;
+  for (const auto& [name, weight] : settings.weights) {
+    if (auto known = find_energy(name); !known) return tl::unexpected(known.error());
+    if (!std::isfinite(weight) || weight < 0.0)
+      return fail(ErrorCode::Usage, "the weight of '" + name + "' is not a finite number of at least 0",
+                  "weights", "Give 0 to switch an energy off");
+    largest = std::max(largest, weight);
+  }
+  if (largest > 0.0) largest_weight_ = largest;
+
+  FootPoints feet;
+  EnergyContext context{normalised_, layout_, nullptr};
+  if (const auto closeness = settings.weights.find("closeness");
+      closeness != settings.weights.end() && closeness->second > 0.0) {
+    auto found =
+        foot_points(*complex_, frozen.at ? frozen.at->x : complex_->preferred, frozen.reference.get());
+    if (!found) return tl::unexpected(found.error());
+    feet = std::move(*found);
+    feet.foot = (feet.foot.rowwise() - centre_.transpose()) / scale_;
+    context.feet = &feet;
+  }
   for (const EnergyInfo& info : energy_catalogue()) {
     const auto weight = settings.weights.find(info.name);
     if (weight == settings.weights.end() || weight->second == 0.0) continue;
-    auto energy = info.make(normalised, layout);
-    const double factor = energy->terms() > 0 ? weight->second * layout.points / energy->terms() : 0.0;
-    problem->energies_.push_back({std::move(energy), weight->second, factor, {}, {}});
+    auto energy = info.make(context);
+    const double factor = energy->terms() > 0 ? weight->second * layout_.points / energy->terms() : 0.0;
+    energies_.push_back({std::move(energy), weight->second, factor, {}, {}});
   }
-  if (settings.freedom == Freedom::Fixed) {
-    auto fixed = make_fixed_planes_constraint(normalised, layout);
-    if (!fixed) return tl::unexpected(fixed.error());
-    problem->constraints_.push_back({std::move(*fixed), 0, {}, {}});
-  } else {
-    problem->constraints_.push_back({make_incidence_constraint(normalised, layout), 0, {}, {}});
-    problem->constraints_.push_back({make_unit_normal_constraint(layout), 0, {}, {}});
+  return {};
+}
+
+Result<void> Problem::add_demands(const ProblemSettings& settings, const FrozenGeometry& frozen) {
+  const Demands& demands = settings.demands;
+  std::optional<State> at;
+  if (frozen.at) at = normalised_state(*frozen.at);
+  std::optional<NeighbourLayer> neighbour;
+  if (frozen.neighbour) {
+    // Both layers in this one's frame; they share the mesh, so their origins are close.
+    const NeighbourLayer& other = *frozen.neighbour;
+    State state = other.state;
+    state.x.rowwise() += (other.complex->origin - complex_->origin).transpose();
+    neighbour = NeighbourLayer{other.complex, normalised_state(state)};
   }
-  problem->assemble();
-  return std::shared_ptr<const Problem>(std::move(problem));
+
+  for (const Demand& demand : demands.list) {
+    if (!demand.on) continue;
+    const auto info = find_demand(demand.name);
+    if (!info) return tl::unexpected(info.error());
+    const bool dual = complex_->kind == ComplexKind::Dual;
+    if (!(dual ? (*info)->for_dual : (*info)->for_planarize))
+      return fail(
+          ErrorCode::Usage,
+          "the demand '" + demand.name + "' means nothing " + (dual ? "for a dual" : "when planarizing"),
+          "demands", dual ? "Planarize a polygon mesh instead" : "Make a dual instead");
+    const Selection* selection = nullptr;
+    if (!demand.selection.empty()) {
+      const auto found = std::find_if(settings.selections.begin(), settings.selections.end(),
+                                      [&](const Selection& s) { return s.name == demand.selection; });
+      if (found == settings.selections.end())
+        return fail(ErrorCode::Usage,
+                    "there is no selection '" + demand.selection + "' for the demand '" + demand.name + "'",
+                    "demands", "Make one of that name, or leave it out for the whole model");
+      selection = &*found;
+    }
+    const auto values = normalised_values(**info, demand, complex_->origin + centre_, scale_);
+    if (!values) return tl::unexpected(values.error());
+    const SelectedElements where = selected_elements(normalised_, selection);
+    DemandContext context{normalised_,
+                          layout_,
+                          where,
+                          *values,
+                          demands.margin,
+                          settings.side,
+                          at ? &*at : nullptr,
+                          neighbour ? &*neighbour : nullptr};
+    auto constraints = (*info)->make(context);
+    if (!constraints) return tl::unexpected(constraints.error());
+    for (auto& constraint : *constraints) {
+      has_demands_ = has_demands_ || constraint->rows() > 0;
+      add_constraint(std::move(constraint));
+    }
+  }
+
+  const PinFrame frame{complex_->origin + centre_, scale_};
+  for (auto make : {make_pin_constraint, make_plane_pin_constraint}) {
+    auto pins = make(normalised_, layout_, demands, frame);
+    if (!pins) return tl::unexpected(pins.error());
+    has_demands_ = has_demands_ || (*pins)->rows() > 0;
+    if ((*pins)->rows() > 0) add_constraint(std::move(*pins));
+  }
+  if (!frozen.separations.empty()) {
+    has_demands_ = true;
+    add_constraint(make_separation_constraint(layout_, frozen.separations, centre_, scale_));
+  }
+  return {};
+}
+
+void Problem::add_constraint(std::unique_ptr<Constraint> constraint) {
+  const int first = rows_;
+  rows_ += constraint->rows();
+  constraints_.push_back({std::move(constraint), first, {}, {}});
 }
 
 void Problem::assemble() {
@@ -85,18 +227,22 @@ void Problem::assemble() {
       term.first_slot.push_back(added);
       for (size_t a = 0; a < stencil.size(); ++a)
         for (size_t b = 0; b <= a; ++b, ++added) hessian.add(stencil[a], stencil[b]);
+      for (int variable : stencil) {
+        residual_pattern_.rows.push_back(residuals_);
+        residual_pattern_.columns.push_back(variable);
+      }
+      ++residuals_;
     }
     term.first_slot.push_back(added);
   }
   for (ConstraintTerm& term : constraints_) {
-    term.first_row = rows_;
-    for (int row = 0; row < term.constraint->rows(); ++row, ++rows_) {
+    for (int row = 0; row < term.constraint->rows(); ++row) {
       const auto stencil = term.constraint->stencil(row);
       longest_stencil_ = std::max(longest_stencil_, static_cast<int>(stencil.size()));
       most_curvature_ = std::max(most_curvature_, static_cast<int>(term.constraint->curvature(row).size()));
       bounds_.push_back(term.constraint->bounds(row));
       for (int variable : stencil) {
-        jacobian_.rows.push_back(rows_);
+        jacobian_.rows.push_back(term.first_row + row);
         jacobian_.columns.push_back(variable);
       }
       term.first_slot.push_back(added);
@@ -121,6 +267,80 @@ void Problem::assemble() {
   };
   for (EnergyTerm& term : energies_) hand_out(term);
   for (ConstraintTerm& term : constraints_) hand_out(term);
+}
+
+void Problem::waive(const std::vector<Waiver>& waivers) {
+  if (waivers.empty()) return;
+  const std::set<Waiver> given_up(waivers.begin(), waivers.end());
+  for (const ConstraintTerm& term : constraints_)
+    for (int row = 0; row < term.constraint->rows(); ++row)
+      if (given_up.contains({std::string(term.constraint->name()), term.constraint->element(row)}))
+        bounds_[term.first_row + row] = {-kUnbounded, kUnbounded};
+}
+
+const Constraint& Problem::family(int row, int& row_in_family) const {
+  auto term = std::upper_bound(constraints_.begin(), constraints_.end(), row,
+                               [](int r, const ConstraintTerm& t) { return r < t.first_row; });
+  --term;  // constraints without rows share their first row with the next one, which upper_bound passes
+  row_in_family = row - term->first_row;
+  return *term->constraint;
+}
+
+std::string_view Problem::row_name(int row) const {
+  int local;
+  return family(row, local).name();
+}
+std::string_view Problem::row_unit(int row) const {
+  int local;
+  return family(row, local).unit();
+}
+ElementRef Problem::row_element(int row) const {
+  int local;
+  const Constraint& constraint = family(row, local);
+  return constraint.element(local);
+}
+
+bool Problem::row_is_linear(int row) const {
+  int local;
+  const Constraint& constraint = family(row, local);
+  return constraint.curvature(local).empty();
+}
+
+std::vector<char> Problem::waived_at(const double* z) const {
+  std::vector<char> waived(static_cast<size_t>(rows_), 0);
+  for (const ConstraintTerm& term : constraints_)
+    term.constraint->waive_alternatives(
+        z, std::span(waived).subspan(static_cast<size_t>(term.first_row),
+                                     static_cast<size_t>(term.constraint->rows())));
+  return waived;
+}
+
+void Problem::residual_values(const double* z, double* out) const {
+  std::vector<double> local(longest_stencil_);
+  for (const EnergyTerm& term : energies_) {
+    const double root = std::sqrt(term.factor);
+    for (int row = 0; row < term.energy->rows(); ++row) {
+      gather(z, term.energy->stencil(row), local);
+      *out++ = root * term.energy->evaluate(row, local.data(), nullptr, nullptr);
+    }
+  }
+}
+
+void Problem::residual_jacobian(const double* z, double* out) const {
+  std::vector<double> local(longest_stencil_);
+  for (const EnergyTerm& term : energies_) {
+    const double root = std::sqrt(term.factor);
+    for (int row = 0; row < term.energy->rows(); ++row) {
+      const auto stencil = term.energy->stencil(row);
+      gather(z, stencil, local);
+      term.energy->evaluate(row, local.data(), out, nullptr);
+      for (size_t k = 0; k < stencil.size(); ++k) *out++ *= root;
+    }
+  }
+}
+
+State Problem::normalised_state(const State& state) const {
+  return {(state.x.rowwise() - centre_.transpose()) / scale_, state.n, state.h / scale_};
 }
 
 Vector Problem::from_state(const State& state) const {
@@ -194,14 +414,16 @@ void Problem::jacobian_values(const double* z, double* out) const {
     }
 }
 
-void Problem::hessian_values(const double* z, double factor, const double* multipliers, double* out) const {
+void Problem::hessian_values(const double* z, double factor, const double* multipliers, double* out,
+                             Curvature curvature) const {
+  const bool exact = curvature == Curvature::Exact;
   std::fill(out, out + hessian_.size(), 0.0);
   std::vector<double> local(longest_stencil_), slope(longest_stencil_), bend(most_curvature_);
   for (const EnergyTerm& term : energies_) {
     const double twice = 2.0 * factor * term.factor;
     for (int row = 0; row < term.energy->rows(); ++row) {
       const auto stencil = term.energy->stencil(row);
-      const auto pairs = term.energy->curvature(row);
+      const auto pairs = exact ? term.energy->curvature(row) : std::span<const StencilPair>{};
       gather(z, stencil, local);
       const double r =
           term.energy->evaluate(row, local.data(), slope.data(), pairs.empty() ? nullptr : bend.data());
@@ -215,6 +437,7 @@ void Problem::hessian_values(const double* z, double factor, const double* multi
       }
     }
   }
+  if (!exact) return;
   for (const ConstraintTerm& term : constraints_)
     for (int row = 0; row < term.constraint->rows(); ++row) {
       const auto pairs = term.constraint->curvature(row);
@@ -236,17 +459,39 @@ std::vector<Problem::EnergyShare> Problem::energy_shares(const double* z) const 
 std::vector<Problem::ConstraintViolation> Problem::violations(const double* z, double tolerance) const {
   Vector values(rows_);
   constraint_values(z, values.data());
+  const std::vector<char> waived = waived_at(z);
   std::vector<ConstraintViolation> result;
   for (const ConstraintTerm& term : constraints_) {
-    ConstraintViolation entry{std::string(term.constraint->name()), std::string(term.constraint->unit()), 0.0,
-                              0};
-    for (int row = term.first_row; row < term.first_row + term.constraint->rows(); ++row) {
-      const double v = violation(values[row], bounds_[row]);
-      entry.max_violation = std::max(entry.max_violation, v);
-      if (v > tolerance) ++entry.violated;
+    const std::string_view name = term.constraint->name();
+    auto entry = std::find_if(result.begin(), result.end(), [&](const auto& e) { return e.name == name; });
+    if (entry == result.end()) {
+      entry = result.insert(result.end(), ConstraintViolation{});
+      entry->name = name;
+      entry->unit = term.constraint->unit();
     }
-    result.push_back(entry);
+    entry->rows += term.constraint->rows();
+    for (int row = 0; row < term.constraint->rows(); ++row) {
+      const int r = term.first_row + row;
+      if (waived[r]) continue;
+      const double v = violation(values[r], bounds_[r]);
+      if (v > entry->max_violation) {
+        entry->max_violation = v;
+        entry->worst = term.constraint->element(row);
+      }
+      if (v > tolerance) ++entry->violated;
+    }
   }
+  return result;
+}
+
+std::vector<Problem::RowViolation> Problem::violated_rows(const double* z, double tolerance) const {
+  Vector values(rows_);
+  constraint_values(z, values.data());
+  const std::vector<char> waived = waived_at(z);
+  std::vector<RowViolation> result;
+  for (int row = 0; row < rows_; ++row)
+    if (const double v = violation(values[row], bounds_[row]); v > tolerance && !waived[row])
+      result.push_back({row, v});
   return result;
 }
 

@@ -10,18 +10,25 @@
 // Patterns are fixed at construction; values are filled in place in the same order at every call. Hessian:
 // lower triangle of  factor * f'' + sum_r multiplier_r c_r'', one slot per entry. Fixed unknowns (Freedom)
 // keep their place. Immutable and shared: safe to read from any thread. Indices 0-based.
+//
+// Besides incidence and unit normals the rows come from the designer's demands (demands/demand_catalogue.h,
+// pins, separations). A waived row keeps its place and loses its bounds.
 #pragma once
 
 #include <map>
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/complex/state.h"
 #include "core/problem/constraint.h"
+#include "core/problem/demand.h"
 #include "core/problem/energy.h"
+#include "core/problem/frozen_geometry.h"
 #include "core/problem/layout.h"
 
 namespace planewright {
@@ -29,6 +36,9 @@ namespace planewright {
 struct ProblemSettings {
   Freedom freedom = Freedom::NormalsAndOffsets;
   std::map<std::string, double> weights = {{"position", 1.0}};  // by energy name; a missing one is 0
+  Demands demands = {};
+  std::vector<Selection> selections = {};  // that the demands name
+  double side = 1.0;                       // +1: the layer lies outside the mesh, -1: inside
 };
 
 // Row and column of each value slot.
@@ -37,12 +47,20 @@ struct SparsePattern {
   int size() const { return static_cast<int>(rows.size()); }
 };
 
+// Which second derivatives a Hessian contains.
+enum class Curvature {
+  Exact,
+  GaussNewton,  // of the energies alone, without the curvature of their residuals: positive semidefinite
+};
+
 class Problem {
  public:
-  // Fails with ErrorCode::Usage: unknown energy, weight that is negative or not finite; ErrorCode::Refused:
-  // stage fixed where planes have no common point.
+  // Fails with ErrorCode::Usage: unknown energy, demand or selection, weight that is negative or not finite;
+  // ErrorCode::Refused: stage fixed where planes have no common point; ErrorCode::Infeasible: demands that
+  // contradict each other whatever the panels do (contradictions.h), both named.
   static Result<std::shared_ptr<const Problem>> create(std::shared_ptr<const TangentComplex> complex,
-                                                       const ProblemSettings& settings);
+                                                       const ProblemSettings& settings,
+                                                       const FrozenGeometry& frozen = {});
 
   const TangentComplex& complex() const { return *complex_; }       // model units
   const TangentComplex& normalised() const { return normalised_; }  // edges
@@ -58,12 +76,30 @@ class Problem {
   void gradient(const double* z, double* out) const;           // #z, overwritten
   void constraint_values(const double* z, double* out) const;  // #rows
   Bounds bounds(int row) const { return bounds_[row]; }
+  // Rows that need not hold at z, because another row of the same alternative does (#rows, 1 = need not).
+  std::vector<char> waived_at(const double* z) const;
+  std::string_view row_name(int row) const;  // the demand's, "incidence" or "unit normal"
+  std::string_view row_unit(int row) const;
+  ElementRef row_element(int row) const;
+  bool row_is_linear(int row) const;
+  // The rows that keep the normals unit: [first, last); solvers that turn normals need none of them.
+  std::pair<int, int> unit_normal_rows() const { return unit_normal_rows_; }
+  // Whether there are rows besides incidence and unit normals.
+  bool has_demands() const { return has_demands_; }
+
+  // The energies as one sum of squares f = sum_r residual_r^2, weights included (#residuals; Jacobian slots
+  // row by row).
+  int residuals() const { return residuals_; }
+  const SparsePattern& residual_pattern() const { return residual_pattern_; }
+  void residual_values(const double* z, double* out) const;
+  void residual_jacobian(const double* z, double* out) const;
 
   const SparsePattern& jacobian_pattern() const { return jacobian_; }
   void jacobian_values(const double* z, double* out) const;  // #jacobian slots
   const SparsePattern& hessian_pattern() const { return hessian_; }
-  void hessian_values(const double* z, double factor, const double* multipliers,
-                      double* out) const;  // #slots
+  // out: #slots. multipliers: #rows, not read for Curvature::GaussNewton.
+  void hessian_values(const double* z, double factor, const double* multipliers, double* out,
+                      Curvature curvature = Curvature::Exact) const;
 
   // The slot of each unknown's own diagonal entry (#z); every one is in the pattern.
   const std::vector<int>& hessian_diagonal() const { return diagonal_slots_; }
@@ -76,19 +112,33 @@ class Problem {
     double weight, value;
   };
   std::vector<EnergyShare> energy_shares(const double* z) const;
+  // Per demand, in the order of the rows; demands of the same name are one entry. Alternatives count as
+  // waived_at(z) says.
   struct ConstraintViolation {
     std::string name, unit;
-    double max_violation;
-    int violated;
+    double max_violation = 0.0;
+    int violated = 0;  // rows beyond the tolerance
+    int rows = 0;
+    ElementRef worst;  // where max_violation is; meaningless if that is 0
   };
   std::vector<ConstraintViolation> violations(const double* z, double tolerance) const;
+  struct RowViolation {
+    int row;
+    double amount;
+  };
+  std::vector<RowViolation> violated_rows(const double* z, double tolerance) const;  // ascending
 
   // Largest |d(f + multipliers . c)/dz| over the free unknowns: 0 at a first-order stationary point.
   double first_order_residual(const double* z, const double* multipliers) const;
 
  private:
   Problem() = default;
+  Result<void> add_energies(const ProblemSettings& settings, const FrozenGeometry& frozen);
+  Result<void> add_demands(const ProblemSettings& settings, const FrozenGeometry& frozen);
+  void add_constraint(std::unique_ptr<Constraint> constraint);
   void assemble();
+  void waive(const std::vector<Waiver>& waivers);
+  const Constraint& family(int row, int& row_in_family) const;
 
   struct EnergyTerm {
     std::unique_ptr<Energy> energy;
@@ -103,6 +153,7 @@ class Problem {
     std::vector<int> first_slot;
   };
 
+  State normalised_state(const State& state) const;
   double contribution(const EnergyTerm& term, const double* z) const;  // factor * sum of squares
 
   std::shared_ptr<const TangentComplex> complex_;
@@ -113,7 +164,10 @@ class Problem {
   std::vector<EnergyTerm> energies_;
   std::vector<ConstraintTerm> constraints_;
   std::vector<Bounds> bounds_;
-  SparsePattern jacobian_, hessian_;
+  SparsePattern jacobian_, hessian_, residual_pattern_;
+  std::pair<int, int> unit_normal_rows_{0, 0};
+  bool has_demands_ = false, has_alternatives_ = false;
+  int residuals_ = 0;
   std::vector<int> diagonal_slots_;
   int rows_ = 0;
   double largest_weight_ = 1.0;

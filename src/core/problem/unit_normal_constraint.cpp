@@ -20,6 +20,7 @@ class UnitNormalConstraint final : public Constraint {
   std::span<const int> stencil(int row) const override { return stencils_[row]; }
   std::span<const StencilPair> curvature(int) const override { return kDiagonal; }
   Bounds bounds(int) const override { return {0.0, 0.0}; }
+  ElementRef element(int row) const override { return {ElementKind::Panel, row}; }
 
   double evaluate(int, const double* n, double* gradient, double* curvature) const override {
     for (int c = 0; c < 3; ++c) {

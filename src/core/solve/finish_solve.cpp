@@ -64,7 +64,8 @@ void finish_solve(const Problem& problem, const Vector& z, const Vector& multipl
   const auto violations = problem.violations(projected.data(), options.planarity_tolerance);
   int violated = 0;
   for (const auto& violation : violations) {
-    report.constraints.push_back({violation.name, violation.max_violation, violation.violated});
+    report.constraints.push_back({violation.name, violation.max_violation, violation.violated, violation.unit,
+                                  violation.rows, violation.worst});
     violated += violation.violated;
   }
 

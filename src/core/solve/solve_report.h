@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/complex/state.h"
+#include "core/problem/demand.h"
 
 namespace planewright {
 
@@ -37,10 +38,18 @@ struct SolveReport {
   std::vector<Energy> energies;
   struct Constraint {
     std::string name;
-    double max_violation;  // mean edges (or unit-free, as the constraint says)
-    int violated;          // rows beyond the tolerance
+    double max_violation = 0.0;  // mean edges (or unit-free, as the constraint says)
+    int violated = 0;            // rows beyond the tolerance
+    std::string unit = {};
+    int rows = 0;
+    ElementRef worst = {};  // where max_violation is; meaningless if that is 0
   };
   std::vector<Constraint> constraints;
+  // Infeasible: demands at elements that cannot be met together with the rest; without them (LayerSettings::
+  // demands.waived) the same solve succeeds, and `state` is its result.
+  std::vector<Waiver> conflicts;
+  int rounds = 1;      // solves that it took: renewed foot points, separated crossings, conflicts set aside
+  int crossings = -1;  // pairs of a panel and a mesh triangle that cross; -1: not counted
   State state;         // model units, like every State
   Vector multipliers;  // of the problem's constraint rows (normalised units), for warm starts; may be empty
 };

@@ -31,7 +31,7 @@ std::vector<int> corners(const PolygonMesh& mesh) {
   return mesh.faces().indices();
 }
 
-DesignSettings with_fairing(DesignSettings settings, double weight) {
+LayerSettings with_fairing(LayerSettings settings, double weight) {
   settings.weights["fairing"] = weight;
   return settings;
 }
@@ -56,7 +56,7 @@ TEST(Document, OpeningReplacesEverything) {
   document.open(torus(), "torus.off", {});
   EXPECT_EQ(document.name(), "torus.off");
   EXPECT_EQ(document.mesh()->vertex_count(), 144);
-  EXPECT_EQ(document.settings(), DesignSettings{});
+  EXPECT_EQ(document.settings(), LayerSettings{});
   EXPECT_FALSE(document.can_undo());
   EXPECT_GT(document.revision(), before);
 }
@@ -116,7 +116,7 @@ TEST(Document, RefusesToFlipBetweenQuads) {
 TEST(Document, ADragIsOneStep) {
   Document document;
   document.open(square(), "square.obj", {});
-  const DesignSettings start = document.settings();
+  const LayerSettings start = document.settings();
   for (const double weight : {0.1, 0.2, 0.5, 3.0}) {
     document.change_settings(with_fairing(start, weight), "Weight of fairing", "weight fairing");
   }
@@ -137,7 +137,7 @@ TEST(Document, ADragIsOneStep) {
 TEST(Document, DifferentKeysDoNotMerge) {
   Document document;
   document.open(square(), "square.obj", {});
-  DesignSettings settings = document.settings();
+  LayerSettings settings = document.settings();
   settings.offset = 0.5;
   document.change_settings(settings, "Offset", "offset");
   document.change_settings(with_fairing(settings, 1.0), "Weight of fairing", "weight fairing");
@@ -157,7 +157,7 @@ TEST(Document, NoChangeIsNoStep) {
   EXPECT_FALSE(document.can_undo());
 
   // A slider dragged there and back again leaves no step behind.
-  const DesignSettings start = document.settings();
+  const LayerSettings start = document.settings();
   document.change_settings(with_fairing(start, 1.0), "Weight of fairing", "weight fairing");
   document.change_settings(start, "Weight of fairing", "weight fairing");
   EXPECT_EQ(document.settings(), start);
@@ -167,7 +167,7 @@ TEST(Document, NoChangeIsNoStep) {
 TEST(Document, ANewChangeCutsTheRedo) {
   Document document;
   document.open(square(), "square.obj", {});
-  const DesignSettings start = document.settings();
+  const LayerSettings start = document.settings();
   document.change_settings(with_fairing(start, 1.0), "Weight of fairing");
   document.undo();
   ASSERT_TRUE(document.can_redo());
@@ -180,7 +180,7 @@ TEST(Document, ANewChangeCutsTheRedo) {
 TEST(Document, AChangeAfterAnUndoDoesNotMergeIntoTheStepBefore) {
   Document document;
   document.open(square(), "square.obj", {});
-  const DesignSettings start = document.settings();
+  const LayerSettings start = document.settings();
   document.change_settings(with_fairing(start, 1.0), "Weight of fairing", "weight fairing");
   document.end_merge();
   document.change_settings(with_fairing(start, 2.0), "Weight of fairing", "weight fairing");

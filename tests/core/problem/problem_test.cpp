@@ -7,7 +7,7 @@
 #include <limits>
 #include <set>
 
-#include "core/problem/energies.h"
+#include "core/problem/energies/energy_catalogue.h"
 #include "support/problems.h"
 
 namespace planewright {
@@ -68,7 +68,7 @@ TEST(EnergyCatalogue, MakesEnergiesThatBearTheirNames) {
   for (const EnergyInfo& info : energy_catalogue()) {
     EXPECT_TRUE(names.insert(info.name).second);
     EXPECT_EQ(find_energy(info.name).value(), &info);
-    const auto energy = info.make(problem->normalised(), problem->layout());
+    const auto energy = info.make({problem->normalised(), problem->layout()});
     EXPECT_EQ(energy->name(), info.name);
     EXPECT_GT(energy->terms(), 0);
     EXPECT_GE(energy->rows(), energy->terms());

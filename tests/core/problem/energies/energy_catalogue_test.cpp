@@ -1,10 +1,10 @@
 // Each energy's rows by hand: what they touch, their values, their slopes.
-#include "core/problem/energies.h"
+#include "core/problem/energies/energy_catalogue.h"
 
 #include <gtest/gtest.h>
 
-#include "core/problem/fairing_energy.h"
-#include "core/problem/position_energy.h"
+#include "core/problem/energies/fairing_energy.h"
+#include "core/problem/energies/position_energy.h"
 #include "support/problems.h"
 
 namespace planewright {
@@ -15,7 +15,7 @@ using namespace test;
 TEST(PositionEnergy, HasARowPerCoordinate) {
   const TangentComplex complex = build_planarize(grid(2, 1).mesh()).value();
   const Layout layout{complex.point_count(), complex.plane_count(), Freedom::NormalsAndOffsets};
-  const auto energy = make_position_energy(complex, layout);
+  const auto energy = make_position_energy({complex, layout});
   EXPECT_EQ(energy->terms(), 6);
   ASSERT_EQ(energy->rows(), 18);
   for (int j = 0; j < 6; ++j)
@@ -47,7 +47,7 @@ TEST(PositionEnergy, PullsTowardsTheWantedPoint) {
 TEST(FairingEnergy, ComparesWithTheMeanOfTheNeighbours) {
   const TangentComplex complex = build_planarize(grid(2, 2).mesh()).value();
   const Layout layout{9, 4, Freedom::NormalsAndOffsets};
-  const auto energy = make_fairing_energy(complex, layout);
+  const auto energy = make_fairing_energy({complex, layout});
   EXPECT_EQ(energy->terms(), 9);
   ASSERT_EQ(energy->rows(), 27);
   const auto stencil = energy->stencil(3 * 4 + 1);  // y of the middle

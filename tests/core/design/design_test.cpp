@@ -1,4 +1,4 @@
-#include "core/solve/design.h"
+#include "core/design/design.h"
 
 #include <gtest/gtest.h>
 
@@ -23,7 +23,7 @@ TEST(SuggestedMode, FollowsTheMostlyUsedValence) {
 }
 
 TEST(BuildComplex, BuildsWhatTheSettingsName) {
-  DesignSettings settings;
+  LayerSettings settings;
   settings.offset = 0.25;
   const PolygonMesh mesh = domed_triangle_grid(4, 4).mesh();
   const auto dual = build_complex(mesh, settings).value();
@@ -40,7 +40,7 @@ TEST(BuildComplex, BuildsWhatTheSettingsName) {
 }
 
 TEST(BuildComplex, HandsOnRefusals) {
-  DesignSettings settings;
+  LayerSettings settings;
   settings.offset = std::numeric_limits<double>::infinity();
   for (const ComplexKind mode : {ComplexKind::Dual, ComplexKind::Planarize}) {
     settings.mode = mode;
@@ -51,8 +51,8 @@ TEST(BuildComplex, HandsOnRefusals) {
 }
 
 TEST(SameComplex, WeightsAndLimitsDoNotMatter) {
-  const DesignSettings a;
-  DesignSettings b = a;
+  const LayerSettings a;
+  LayerSettings b = a;
   b.weights["fairing"] = 5.0;
   b.max_iterations = 3;
   b.tolerance = 1.0;
@@ -70,7 +70,7 @@ TEST(SameComplex, WeightsAndLimitsDoNotMatter) {
 }
 
 TEST(BuildProblem, TakesWeightsAndFreedom) {
-  DesignSettings settings;
+  LayerSettings settings;
   settings.freedom = Freedom::Normals;
   settings.weights = {{"position", 2.0}, {"fairing", 0.5}};
   const auto problem = build_problem(planarize_of(twisted_grid(2, 2).mesh()), settings).value();
@@ -92,7 +92,7 @@ TEST(StartState, IsTheBuildersWithoutAWarmOne) {
 TEST(StartState, KeepsWhatTheSettingsHoldFixed) {
   const SharedComplex complex = dual_of(fan(5).mesh(), {0.5});
   const State warm = perturbed(*complex, 0.1);
-  DesignSettings settings;
+  LayerSettings settings;
   State state = start_state(*complex, settings, complex.get(), &warm);
   EXPECT_TRUE(same_bits(state.x, warm.x));
   EXPECT_TRUE(same_bits(state.n, warm.n));
@@ -118,7 +118,7 @@ TEST(StartState, TransfersFromAnotherComplexOfTheMesh) {
 }
 
 TEST(SolveOptionsOfSettings, CarryLimitAndTolerance) {
-  DesignSettings settings;
+  LayerSettings settings;
   settings.max_iterations = 17;
   settings.tolerance = 1e-3;
   EXPECT_EQ(solve_options(settings).max_iterations, 17);

@@ -4,12 +4,11 @@
 
 #include <memory>
 
-#include "core/complex/tangent_complex.h"
+#include "core/problem/energies/energy_context.h"
 #include "core/problem/energy.h"
-#include "core/problem/layout.h"
 
 namespace planewright {
 
-std::unique_ptr<Energy> make_fairing_energy(const TangentComplex& complex, const Layout& layout);
+std::unique_ptr<Energy> make_fairing_energy(const EnergyContext& context);
 
 }  // namespace planewright

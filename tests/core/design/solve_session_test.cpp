@@ -1,6 +1,6 @@
 // The session from the outside, as the window uses it: only by polling. Nothing here rests on how long
 // anything takes; a wait ends when what it waits for is there, and ctest ends a test that hangs.
-#include "core/solve/solve_session.h"
+#include "core/design/solve_session.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 #include <random>
 #include <thread>
 
-#include "core/solve/design.h"
+#include "core/design/design.h"
 #include "support/solves.h"
 
 namespace planewright {

@@ -1,4 +1,4 @@
-#include "core/problem/position_energy.h"
+#include "core/problem/energies/position_energy.h"
 
 namespace planewright {
 namespace {
@@ -27,8 +27,8 @@ class PositionEnergy final : public Energy {
 
 }  // namespace
 
-std::unique_ptr<Energy> make_position_energy(const TangentComplex& complex, const Layout& layout) {
-  return std::make_unique<PositionEnergy>(complex, layout);
+std::unique_ptr<Energy> make_position_energy(const EnergyContext& context) {
+  return std::make_unique<PositionEnergy>(context.complex, context.layout);
 }
 
 }  // namespace planewright

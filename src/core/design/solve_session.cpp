@@ -1,4 +1,4 @@
-#include "core/solve/solve_session.h"
+#include "core/design/solve_session.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -8,8 +8,8 @@
 #include <stop_token>
 #include <thread>
 
-#include "core/solve/design.h"
-#include "core/solve/ipopt_solver.h"
+#include "core/design/design.h"
+#include "core/design/layer_solve.h"
 
 namespace planewright {
 
@@ -81,7 +81,7 @@ struct SolveSession::Impl {
   }
 
   SolveOutcome solve(const Job& job) {
-    const DesignSettings& settings = job.request.settings;
+    const LayerSettings& settings = job.request.settings;
     SolveOutcome outcome{job.ticket, nullptr, fail(ErrorCode::Refused, "nothing was solved")};
     try {
       if (job.request.mesh != built_from || !same_complex(settings, built_with)) {
@@ -95,11 +95,6 @@ struct SolveSession::Impl {
         built_with = settings;
       }
       outcome.complex = built;
-      auto problem = build_problem(built, settings);
-      if (!problem) {
-        outcome.report = tl::unexpected(problem.error());
-        return outcome;
-      }
       const Iterate* warm = job.request.warm_start.get();
       const State start =
           start_state(*built, settings, warm ? warm->complex.get() : nullptr, warm ? &warm->state : nullptr);
@@ -107,7 +102,8 @@ struct SolveSession::Impl {
       SolveOptions options = solve_options(settings);
       options.abandoned = job.abandoned.get_token();
       outcome.report =
-          make_ipopt_solver()->solve(**problem, start, options, &publisher, job.stop.get_token());
+          solve_layer({built, settings, job.request.selections, job.request.reference, job.request.neighbour},
+                      start, options, &publisher, job.stop.get_token());
     } catch (const std::bad_alloc&) {
       outcome.report = fail(ErrorCode::Unavailable, "the machine has not enough memory for this design", {},
                             "Take a coarser mesh");
@@ -131,7 +127,7 @@ struct SolveSession::Impl {
 
   // The worker's own: the last complex built, kept for requests that change weights alone.
   std::shared_ptr<const PolygonMesh> built_from;
-  DesignSettings built_with;
+  LayerSettings built_with;
   std::shared_ptr<const TangentComplex> built;
 
   std::jthread worker;  // last, so that it stops before what it uses goes

@@ -1,4 +1,4 @@
-#include "core/problem/fairing_energy.h"
+#include "core/problem/energies/fairing_energy.h"
 
 namespace planewright {
 namespace {
@@ -43,8 +43,8 @@ class FairingEnergy final : public Energy {
 
 }  // namespace
 
-std::unique_ptr<Energy> make_fairing_energy(const TangentComplex& complex, const Layout& layout) {
-  return std::make_unique<FairingEnergy>(complex, layout);
+std::unique_ptr<Energy> make_fairing_energy(const EnergyContext& context) {
+  return std::make_unique<FairingEnergy>(context.complex, context.layout);
 }
 
 }  // namespace planewright

@@ -17,8 +17,9 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/design/layer_settings.h"
 #include "core/mesh/polygon_mesh.h"
-#include "core/solve/design_settings.h"
+#include "core/problem/frozen_geometry.h"
 #include "core/solve/iteration.h"
 #include "core/solve/solve_report.h"
 
@@ -34,10 +35,13 @@ struct Iterate {
 
 struct SolveRequest {
   std::shared_ptr<const PolygonMesh> mesh;
-  DesignSettings settings;
+  LayerSettings settings;
+  std::vector<Selection> selections = {};                  // that the settings' demands name
+  std::shared_ptr<const ReferenceSurface> reference = {};  // null: the mesh itself
+  std::shared_ptr<const NeighbourLayer> neighbour = {};    // null: none
   // Where to start: null for the builder's own start, else a state, transferred if its complex is another
   // one.
-  std::shared_ptr<const Iterate> warm_start;
+  std::shared_ptr<const Iterate> warm_start = {};
 };
 
 struct SolveOutcome {

@@ -1,7 +1,7 @@
-#include "core/problem/energies.h"
+#include "core/problem/energies/energy_catalogue.h"
 
-#include "core/problem/fairing_energy.h"
-#include "core/problem/position_energy.h"
+#include "core/problem/energies/fairing_energy.h"
+#include "core/problem/energies/position_energy.h"
 
 namespace planewright {
 

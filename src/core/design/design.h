@@ -1,5 +1,5 @@
-// The way from a mesh and a designer's settings to what a solver takes: the steps that the window's session,
-// the command line, tests and benchmarks share.
+// The way from a mesh and a designer's settings to what a solver takes: the steps that layer_solve.h, the
+// window's session, the command line, tests and benchmarks share.
 #pragma once
 
 #include <memory>
@@ -7,7 +7,7 @@
 #include "core/base/result.h"
 #include "core/mesh/polygon_mesh.h"
 #include "core/problem/problem.h"
-#include "core/solve/design_settings.h"
+#include "core/design/layer_settings.h"
 #include "core/solve/solver.h"
 
 namespace planewright {
@@ -18,20 +18,22 @@ ComplexKind suggested_mode(const PolygonMesh& mesh);
 
 // Builds the complex that settings.mode names. Fails as the builders do.
 Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& mesh,
-                                                            const DesignSettings& settings);
+                                                            const LayerSettings& settings);
 
 // Whether both settings lead to the same complex for one mesh, so that it need not be built again.
-bool same_complex(const DesignSettings& a, const DesignSettings& b);
+bool same_complex(const LayerSettings& a, const LayerSettings& b);
 
-// Fails as Problem::create does.
+// Fails as Problem::create does. selections: those that the demands name.
 Result<std::shared_ptr<const Problem>> build_problem(std::shared_ptr<const TangentComplex> complex,
-                                                     const DesignSettings& settings);
+                                                     const LayerSettings& settings,
+                                                     const std::vector<Selection>& selections = {},
+                                                     const FrozenGeometry& frozen = {});
 
 // The builder's own start, or (warm not null) what another state of the same mesh gives for this complex.
 // Planes and offsets that the settings hold fixed are always the builder's.
-State start_state(const TangentComplex& complex, const DesignSettings& settings,
+State start_state(const TangentComplex& complex, const LayerSettings& settings,
                   const TangentComplex* warm_complex = nullptr, const State* warm = nullptr);
 
-SolveOptions solve_options(const DesignSettings& settings);
+SolveOptions solve_options(const LayerSettings& settings);
 
 }  // namespace planewright

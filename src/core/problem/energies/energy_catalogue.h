@@ -7,9 +7,8 @@
 #include <vector>
 
 #include "core/base/result.h"
-#include "core/complex/tangent_complex.h"
+#include "core/problem/energies/energy_context.h"
 #include "core/problem/energy.h"
-#include "core/problem/layout.h"
 
 namespace planewright {
 
@@ -19,7 +18,7 @@ struct EnergyInfo {
   std::string description;  // one sentence for a designer
   std::string source;       // paper section
   double default_weight;
-  std::unique_ptr<Energy> (*make)(const TangentComplex& normalised, const Layout& layout);
+  std::unique_ptr<Energy> (*make)(const EnergyContext& context);
 };
 
 const std::vector<EnergyInfo>& energy_catalogue();

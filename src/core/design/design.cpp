@@ -1,4 +1,4 @@
-#include "core/solve/design.h"
+#include "core/design/design.h"
 
 #include "core/complex/planarize.h"
 
@@ -12,7 +12,7 @@ ComplexKind suggested_mode(const PolygonMesh& mesh) {
 }
 
 Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& mesh,
-                                                            const DesignSettings& settings) {
+                                                            const LayerSettings& settings) {
   const auto share = [](TangentComplex&& complex) {
     return std::make_shared<const TangentComplex>(std::move(complex));
   };
@@ -25,16 +25,20 @@ Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& m
   return build_dual(mesh, {settings.offset, settings.border}).map(share);
 }
 
-bool same_complex(const DesignSettings& a, const DesignSettings& b) {
+bool same_complex(const LayerSettings& a, const LayerSettings& b) {
   return a.mode == b.mode && a.offset == b.offset && a.border == b.border;
 }
 
 Result<std::shared_ptr<const Problem>> build_problem(std::shared_ptr<const TangentComplex> complex,
-                                                     const DesignSettings& settings) {
-  return Problem::create(std::move(complex), {settings.freedom, settings.weights});
+                                                     const LayerSettings& settings,
+                                                     const std::vector<Selection>& selections,
+                                                     const FrozenGeometry& frozen) {
+  return Problem::create(
+      std::move(complex),
+      {settings.freedom, settings.weights, settings.demands, selections, settings.side_sign()}, frozen);
 }
 
-State start_state(const TangentComplex& complex, const DesignSettings& settings,
+State start_state(const TangentComplex& complex, const LayerSettings& settings,
                   const TangentComplex* warm_complex, const State* warm) {
   State state = warm && warm_complex ? transfer(*warm_complex, *warm, complex) : initial_state(complex);
   if (settings.freedom == Freedom::Fixed) state.n = complex.normals;
@@ -42,7 +46,7 @@ State start_state(const TangentComplex& complex, const DesignSettings& settings,
   return state;
 }
 
-SolveOptions solve_options(const DesignSettings& settings) {
+SolveOptions solve_options(const LayerSettings& settings) {
   SolveOptions options;
   options.max_iterations = settings.max_iterations;
   options.tolerance = settings.tolerance;

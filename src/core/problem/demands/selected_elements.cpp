@@ -1,0 +1,47 @@
+#include <algorithm>
+
+#include "core/problem/demands/demand_context.h"
+
+namespace planewright {
+namespace {
+
+bool contains(const std::vector<int>& ascending, int value) {
+  return std::binary_search(ascending.begin(), ascending.end(), value);
+}
+
+bool point_named(const TangentComplex& complex, const Selection& selection, int point) {
+  const PointOrigin& origin = complex.point_origin[static_cast<size_t>(point)];
+  switch (origin.kind) {
+    case PointKind::Face:
+      return contains(selection.faces, origin.element);
+    case PointKind::BorderEdge:
+      return contains(selection.edges, origin.element);
+    case PointKind::Corner:
+      return false;  // a vertex means its panel, and with it this corner
+    case PointKind::Vertex:
+      return contains(selection.vertices, origin.element);
+  }
+  return false;
+}
+
+}  // namespace
+
+SelectedElements selected_elements(const TangentComplex& complex, const Selection* selection) {
+  const auto points = static_cast<size_t>(complex.point_count()), panels = static_cast<size_t>(complex.plane_count());
+  if (!selection) return {std::vector<char>(points, 1), std::vector<char>(panels, 1)};
+  SelectedElements out{std::vector<char>(points, 0), std::vector<char>(panels, 0)};
+  for (size_t j = 0; j < points; ++j) out.points[j] = point_named(complex, *selection, static_cast<int>(j));
+  const auto& named_panels = complex.kind == ComplexKind::Dual ? selection->vertices : selection->faces;
+  for (size_t i = 0; i < panels; ++i) {
+    const auto corners = complex.panels[static_cast<int>(i)];
+    out.panels[i] = contains(named_panels, complex.plane_origin[i]) ||
+                    (!corners.empty() && std::all_of(corners.begin(), corners.end(),
+                                                     [&](int j) { return point_named(complex, *selection, j); }));
+  }
+  for (size_t i = 0; i < panels; ++i)
+    if (out.panels[i])
+      for (int j : complex.panels[static_cast<int>(i)]) out.points[static_cast<size_t>(j)] = 1;
+  return out;
+}
+
+}  // namespace planewright

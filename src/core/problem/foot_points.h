@@ -1,0 +1,16 @@
+// Foot points: where the reference surface is closest to each point of a state; what the closeness energy
+// holds still while a problem is solved.
+#pragma once
+
+#include "core/base/result.h"
+#include "core/complex/tangent_complex.h"
+#include "core/mesh/closest_point.h"
+#include "core/problem/energies/energy_context.h"
+
+namespace planewright {
+
+// x: #X x 3, model units relative to the complex's origin, and so are the feet. reference null: the mesh that
+// the complex was built from. Refused: a mesh without area.
+Result<FootPoints> foot_points(const TangentComplex& complex, const Points& x, const ReferenceSurface* reference);
+
+}  // namespace planewright
