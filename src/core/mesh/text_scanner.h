@@ -1,4 +1,4 @@
-// TextScanner: walks over a text in memory, token by token, and knows the line. Internal to this folder.
+// TextScanner: walks over a text in memory, token by token, and knows the line. For readers of text files.
 //
 // Tokens are separated by blanks and line ends ("\n", "\r\n" or "\r"); they are views into the content.
 // Numbers are read independently of the locale.
