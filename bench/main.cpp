@@ -21,7 +21,7 @@
 #include "core/export/solve_record.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
-#include "core/solve/design.h"
+#include "core/design/design.h"
 
 namespace planewright::bench {
 namespace {
@@ -44,7 +44,7 @@ struct Row {
   Planarity planarity;
 };
 
-Row measure(std::string name, std::shared_ptr<const TangentComplex> complex, const DesignSettings& settings,
+Row measure(std::string name, std::shared_ptr<const TangentComplex> complex, const LayerSettings& settings,
             const IpoptOverrides& overrides, double mean_edge) {
   Row row;
   row.name = std::move(name);
@@ -79,7 +79,7 @@ void print(const Row& row) {
 
 void compare_on_torus(int rows, int columns, bool baselines) {
   const PolygonMesh torus = make_torus(rows, columns);
-  DesignSettings settings;
+  LayerSettings settings;
   const auto complex = build_complex(torus, settings);
   if (!complex) throw std::runtime_error(complex.error().text());
   const double edge = (*complex)->mean_edge;
@@ -104,7 +104,7 @@ void measure_meshes(const std::vector<std::string>& files) {
   for (const std::string& file : files) {
     const auto checked = load_mesh(file);
     if (!checked) throw std::runtime_error(checked.error().text());
-    DesignSettings settings;
+    LayerSettings settings;
     settings.mode = suggested_mode(checked->mesh);
     const auto complex = build_complex(checked->mesh, settings);
     if (!complex) throw std::runtime_error(complex.error().text());
