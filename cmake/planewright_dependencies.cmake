@@ -22,6 +22,17 @@ add_library(openmesh_core INTERFACE)
 target_include_directories(openmesh_core SYSTEM INTERFACE ${OPENMESH_INCLUDE_DIR})
 target_link_libraries(openmesh_core INTERFACE ${OPENMESH_CORE_LIBRARY})
 
+# Of CGAL only the exact predicates of its kernel (LGPL): headers alone, on Boost's multiprecision numbers instead
+# of GMP and MPFR. CGAL_LICENSE_ERROR makes including one of its GPL packages a compile error. Its interval arithmetic
+# switches the rounding mode, which the compiler has to know.
+find_package(Boost 1.74 REQUIRED)
+find_path(CGAL_INCLUDE_DIR CGAL/Exact_predicates_inexact_constructions_kernel.h REQUIRED)
+add_library(cgal_kernel INTERFACE)
+target_include_directories(cgal_kernel SYSTEM INTERFACE ${CGAL_INCLUDE_DIR})
+target_link_libraries(cgal_kernel INTERFACE Boost::headers)
+target_compile_definitions(cgal_kernel INTERFACE CGAL_DISABLE_GMP CGAL_LICENSE_ERROR)
+target_compile_options(cgal_kernel INTERFACE -frounding-math)
+
 # Rendering without a display (EGL) and in the window.
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)

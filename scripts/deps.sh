@@ -8,6 +8,7 @@ packages=(
   g++ cmake ninja-build pkg-config ccache git ca-certificates
   # meshes, linear algebra, optimisation
   libeigen3-dev libexpected-dev libopenmesh-dev coinor-libipopt-dev libmumps-seq-dev libopenblas0
+  libcgal-dev
   # command line, JSON
   libcli11-dev nlohmann-json3-dev
   # window and pictures

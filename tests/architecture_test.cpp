@@ -151,6 +151,20 @@ TEST(Architecture, OnlyTheFactorisationIncludesMumps) {
   }
 }
 
+// And of CGAL only the kernel, which is LGPL; most of its packages are GPL, which Ipopt's licence does not go with.
+TEST(Architecture, OnlyTheCrossingsIncludeCgal) {
+  const std::set<std::string> lgpl{"CGAL/Exact_predicates_inexact_constructions_kernel.h",
+                                   "CGAL/Kernel/global_functions.h"};
+  int seen = 0;
+  for (const Include& include : includes()) {
+    if (!include.header.starts_with("CGAL/")) continue;
+    EXPECT_EQ(include.file, "core/diagnose/crossings.cpp") << place(include);
+    EXPECT_TRUE(lgpl.contains(include.header)) << place(include);
+    ++seen;
+  }
+  EXPECT_GT(seen, 0);
+}
+
 TEST(Architecture, OnlyTheMeshIncludesOpenMesh) {
   int seen = 0;
   for (const Include& include : includes()) {
