@@ -1,19 +1,235 @@
 #include "core/design/layer_solve.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+#include <string>
+
 #include "core/design/design.h"
+#include "core/diagnose/crossings.h"
+#include "core/problem/foot_points.h"
 #include "core/solve/ipopt_solver.h"
 
 namespace planewright {
+namespace {
+
+// Lets the iterations of all rounds count on, and remembers how far they got.
+class CountingOn final : public SolveObserver {
+ public:
+  explicit CountingOn(SolveObserver* next) : next_(next) {}
+  void on_iteration(const Iteration& iteration, const State* state) override {
+    Iteration counted = iteration;
+    counted.number += before_;
+    counted.seconds += seconds_before_;
+    last_ = counted.number;
+    seconds_ = counted.seconds;
+    if (next_) next_->on_iteration(counted, state);
+  }
+  void next_round() {
+    before_ = last_ + 1;
+    seconds_before_ = seconds_;
+  }
+
+ private:
+  SolveObserver* next_;
+  int before_ = 0, last_ = -1;
+  double seconds_ = 0.0, seconds_before_ = 0.0;
+};
+
+bool is_equation_of_every_problem(std::string_view row) {
+  return row == "incidence" || row == "unit normal";
+}
+
+double objective(const SolveReport& report) {
+  double sum = 0.0;
+  for (const auto& energy : report.energies) sum += energy.value;
+  return sum;
+}
+
+class LayerSolver {
+ public:
+  LayerSolver(const LayerProblem& layer, const State& start, const SolveOptions& options,
+              SolveObserver* observer, std::stop_token stop)
+      : layer_(layer),
+        settings_(layer.settings),
+        start_(start),
+        options_(options),
+        observer_(observer),
+        stop_(std::move(stop)),
+        asked_(settings_.demands.waived.begin(), settings_.demands.waived.end()) {
+    const auto weight = settings_.weights.find("closeness");
+    follows_surface_ = weight != settings_.weights.end() && weight->second > 0.0;
+    for (const Demand& demand : settings_.demands.list)
+      follows_border_ = follows_border_ || (demand.on && demand.name == "border");
+  }
+
+  Result<SolveReport> run() {
+    State at = start_;
+    int iterations = 0;
+    double seconds = 0.0;
+    for (int round = 1;; ++round) {
+      FrozenGeometry frozen{&at, layer_.reference, layer_.neighbour, separations_};
+      const auto problem = build_problem(layer_.complex, settings_, layer_.selections, frozen);
+      if (!problem) return tl::unexpected(problem.error());
+      SolveReport report = make_ipopt_solver()->solve(**problem, at, options_, &observer_, stop_);
+      observer_.next_round();
+      report.iterations = iterations += report.iterations;
+      report.seconds = seconds += report.seconds;
+      report.rounds = round;
+      const bool usable = report.status == SolveStatus::Converged || report.status == SolveStatus::Planar;
+      const bool last = round == kMostRounds || stop_.stop_requested();
+
+      if (report.status == SolveStatus::Infeasible && !last && give_up_violated(**problem, report)) {
+        at = start_;  // so that the same solve without the conflicts gives the same result
+        separations_.clear();
+        continue;
+      }
+      if (usable && !last && follows_surface_ && feet_moved(at, report.state)) {
+        at = report.state;
+        continue;
+      }
+      if (usable && !last && follows_border_ && gains(report)) {
+        at = report.state;
+        continue;
+      }
+      if (settings_.no_penetration && report.status != SolveStatus::Failed) {
+        const std::vector<Crossing> crossings = count_crossings(report);
+        report.crossings = static_cast<int>(crossings.size());
+        if (usable && !crossings.empty()) {
+          if (!last && round < kMostRounds - kRoundsForConflicts) {
+            separate(crossings);
+            at = report.state;
+            continue;
+          }
+          if (!last) {
+            give_up_crossing(crossings);
+            at = start_;
+            separations_.clear();
+            continue;
+          }
+          report.status = SolveStatus::Infeasible;
+          report.stop_reason =
+              "some panels still cross the mesh: " + std::to_string(crossings.size()) + " pairs";
+        }
+      }
+      conclude(report);
+      return report;
+    }
+  }
+
+ private:
+  // Elements at which demands are violated join what is given up. False if there is nothing new to give up.
+  bool give_up_violated(const Problem& problem, const SolveReport& report) {
+    const Vector z = problem.from_state(report.state);
+    auto rows = problem.violated_rows(z.data(), options_.planarity_tolerance);
+    std::erase_if(rows, [&](const auto& v) { return is_equation_of_every_problem(problem.row_name(v.row)); });
+    // What is violated by far first: a stalled projection drags its surroundings along.
+    double worst = 0.0;
+    for (const auto& v : rows) worst = std::max(worst, v.amount);
+    bool grown = false;
+    for (const auto& v : rows) {
+      if (v.amount < kShareOfWorst * worst) continue;
+      grown = give_up({std::string(problem.row_name(v.row)), problem.row_element(v.row)}) || grown;
+    }
+    return grown;
+  }
+
+  void give_up_crossing(const std::vector<Crossing>& crossings) {
+    for (const Crossing& crossing : crossings)
+      give_up({"no-penetration", {ElementKind::Panel, crossing.first}});
+  }
+
+  bool give_up(const Waiver& waiver) {
+    if (asked_.contains(waiver) || !conflicts_.insert(waiver).second) return false;
+    settings_.demands.waived.push_back(waiver);
+    return true;
+  }
+
+  bool feet_moved(const State& before, const State& after) const {
+    const auto old_feet = foot_points(*layer_.complex, before.x, layer_.reference.get());
+    const auto new_feet = foot_points(*layer_.complex, after.x, layer_.reference.get());
+    if (!old_feet || !new_feet) return false;  // Problem::create has told why
+    const double most = (old_feet->foot - new_feet->foot).rowwise().norm().maxCoeff();
+    return most > kFootSettled * layer_.complex->mean_edge;
+  }
+
+  // A point that has slid to the end of its piece of the border goes on along the next one; worth another
+  // round while that lowers the energy.
+  bool gains(const SolveReport& report) {
+    const double now = objective(report), before = best_;
+    best_ = std::min(best_, now);
+    return now < before - kGain * std::max(std::abs(before), 1e-9);
+  }
+
+  std::vector<Crossing> count_crossings(const SolveReport& report) const {
+    const TangentComplex& complex = *layer_.complex;
+    const Surface panels{report.state.x, complex.panels}, mesh{complex.input.vertices, complex.input.faces};
+    auto crossings = find_crossings(panels, mesh, settings_.demands.margin * complex.mean_edge);
+    const std::set<Waiver> waived(settings_.demands.waived.begin(), settings_.demands.waived.end());
+    std::erase_if(crossings, [&](const Crossing& c) {
+      return waived.contains({"no-penetration", {ElementKind::Panel, c.first}});
+    });
+    return crossings;
+  }
+
+  // A plane between the two triangles of each crossing pair, for the panel's three corners to stay behind.
+  void separate(const std::vector<Crossing>& crossings) {
+    const TangentComplex& complex = *layer_.complex;
+    const double margin = settings_.demands.margin * complex.mean_edge;
+    for (const Crossing& crossing : crossings) {
+      double low = -std::numeric_limits<double>::infinity();
+      for (int v : crossing.second_corners)
+        low = std::max(low, crossing.apart.dot(complex.input.vertices.row(v)));
+      // Touching within the margin is no crossing, so half of it on top keeps clear of the test's threshold.
+      for (int j : crossing.first_corners)
+        separations_.push_back({j, crossing.apart, low + 0.5 * margin, crossing.first});
+    }
+  }
+
+  void conclude(SolveReport& report) {
+    if (conflicts_.empty()) return;
+    report.conflicts.assign(conflicts_.begin(), conflicts_.end());
+    if (report.status != SolveStatus::Converged && report.status != SolveStatus::Planar) return;
+    report.stop_reason = "some demands cannot be met together with the others; without " +
+                         std::to_string(conflicts_.size()) + " of them: " + report.stop_reason;
+    report.status = SolveStatus::Infeasible;
+    measure_all_demands(report);
+  }
+
+  // Violations are those of everything that was asked for, not of what was left.
+  void measure_all_demands(SolveReport& report) const {
+    FrozenGeometry frozen{&report.state, layer_.reference, layer_.neighbour, {}};
+    const auto whole = build_problem(layer_.complex, layer_.settings, layer_.selections, frozen);
+    if (!whole) return;  // it was built before from the same settings
+    const Vector z = (*whole)->from_state(report.state);
+    report.constraints.clear();
+    for (const auto& v : (*whole)->violations(z.data(), options_.planarity_tolerance))
+      report.constraints.push_back({v.name, v.max_violation, v.violated, v.unit, v.rows, v.worst});
+  }
+
+  static constexpr int kMostRounds = 12, kRoundsForConflicts = 3;
+  static constexpr double kFootSettled = 1e-3;  // mean edges
+  static constexpr double kGain = 1e-4;         // of the energy
+  static constexpr double kShareOfWorst = 0.05;
+
+  const LayerProblem& layer_;
+  LayerSettings settings_;  // with what had to be given up
+  const State& start_;
+  const SolveOptions& options_;
+  CountingOn observer_;
+  std::stop_token stop_;
+  std::set<Waiver> asked_, conflicts_;
+  std::vector<Separation> separations_;
+  bool follows_surface_ = false, follows_border_ = false;
+  double best_ = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
 
 Result<SolveReport> solve_layer(const LayerProblem& layer, const State& start, const SolveOptions& options,
                                 SolveObserver* observer, std::stop_token stop) {
-  FrozenGeometry frozen;
-  frozen.at = &start;
-  frozen.reference = layer.reference;
-  frozen.neighbour = layer.neighbour;
-  const auto problem = build_problem(layer.complex, layer.settings, layer.selections, frozen);
-  if (!problem) return tl::unexpected(problem.error());
-  return make_ipopt_solver()->solve(**problem, start, options, observer, std::move(stop));
+  return LayerSolver(layer, start, options, observer, std::move(stop)).run();
 }
 
 }  // namespace planewright

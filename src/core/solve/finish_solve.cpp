@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "core/solve/demand_projection.h"
 #include "core/solve/projection.h"
 
 namespace planewright {
@@ -48,14 +49,22 @@ const char* name(SolveStatus status) {
 
 void finish_solve(const Problem& problem, const Vector& z, const Vector& multipliers,
                   const SolveOptions& options, SolveReport& report) {
-  report.state = problem.to_state({z.data(), static_cast<size_t>(z.size())});
-  const int steps = report.status == SolveStatus::Stopped ? kStepsAfterStop : kProjectionSteps;
-  const ProjectionReport projection = project_onto_incidences(
-      problem.complex(), report.state, problem.layout().freedom, kProjectionTarget, steps, options.abandoned);
-  report.incidence_residual = projection.after;
-  report.projection_move = projection.move;
-
-  const Vector projected = problem.from_state(report.state);
+  const bool stopped = report.status == SolveStatus::Stopped;
+  Vector projected = z;
+  if (problem.has_demands()) {
+    const DemandProjectionReport projection = project_onto_demands(
+        problem, projected, stopped ? kStepsAfterStop : kDemandProjectionSteps, options.abandoned);
+    report.state = problem.to_state({projected.data(), static_cast<size_t>(projected.size())});
+    report.projection_move = projection.move;
+  } else {
+    report.state = problem.to_state({z.data(), static_cast<size_t>(z.size())});
+    const ProjectionReport projection =
+        project_onto_incidences(problem.complex(), report.state, problem.layout().freedom, kProjectionTarget,
+                                stopped ? kStepsAfterStop : kProjectionSteps, options.abandoned);
+    report.incidence_residual = projection.after;
+    report.projection_move = projection.move;
+    projected = problem.from_state(report.state);
+  }
   report.multipliers = multipliers;
   report.first_order_residual =
       problem.first_order_residual(projected.data(), multipliers.data()) / problem.largest_weight();
@@ -67,6 +76,8 @@ void finish_solve(const Problem& problem, const Vector& z, const Vector& multipl
     report.constraints.push_back({violation.name, violation.max_violation, violation.violated, violation.unit,
                                   violation.rows, violation.worst});
     violated += violation.violated;
+    if (problem.has_demands() && violation.name == "incidence")
+      report.incidence_residual = violation.max_violation;
   }
 
   const bool planar = report.incidence_residual <= options.planarity_tolerance;
@@ -74,7 +85,12 @@ void finish_solve(const Problem& problem, const Vector& z, const Vector& multipl
   switch (report.status) {
     case SolveStatus::Converged:
     case SolveStatus::Planar:
-      if (!planar) report.status = SolveStatus::NotPlanar;
+      if (!planar) {
+        report.status = SolveStatus::NotPlanar;
+      } else if (violated > 0) {
+        report.status = SolveStatus::Infeasible;
+        report.stop_reason += "; not met: " + worst_constraint(violations);
+      }
       break;
     case SolveStatus::Infeasible:  // as the solver saw it; the projection may have found a way
       if (violated == 0) {

@@ -1,0 +1,34 @@
+// Demand projection: moves a whole state as little as possible to where every row of a problem is met at
+// once, incidences to rounding and demands within their bounds. The last step of every solve with demands;
+// without demands projection.h does the same faster.
+//
+// Levenberg-Marquardt on  Phi = 1/2 sum c^2 + 1/2 sum (distance from the bounds)^2  with damping in
+// proportion to Phi: safe far away, quadratic near the end. Inequalities aim a hair inside their bounds, so
+// that rounding cannot flip them; near the end a step is repeated with the rows that it would violate (a
+// small active set). Of alternatives the one that the state is closer to counts. Energies play no part: run
+// more steps of a solver first where its move matters. Threads: uses MUMPS through its gate. Deterministic.
+#pragma once
+
+#include <stop_token>
+
+#include "core/problem/problem.h"
+
+namespace planewright {
+
+struct DemandProjectionReport {
+  double incidence = 0.0;  // largest violation of an equation afterwards, mean edges or unit-free
+  double violation = 0.0;  // largest violation of any row but the unit normals, mean edges or unit-free
+  double move = 0.0;       // farthest that a point moved, mean edges
+  int steps = 0, factorisations = 0;
+  bool met = false;  // every row within kDemandTolerance
+};
+
+inline constexpr double kDemandTolerance = 1e-9;  // mean edges
+inline constexpr int kDemandProjectionSteps = 120;
+
+// z: normalised, changed in place; each accepted step lowers Phi. max_steps: accepted steps.
+DemandProjectionReport project_onto_demands(const Problem& problem, Vector& z,
+                                            int max_steps = kDemandProjectionSteps,
+                                            std::stop_token stop = {});
+
+}  // namespace planewright

@@ -1,0 +1,26 @@
+// Demand start: where a solve with demands begins. An interior point method that starts at the wanted points
+// of an irregular mesh wanders for hundreds of iterations; from here it needs some sixty (measured: train
+// station and bunny with the vertex, face and edge constraints on, offsets 0.1 and 0.3 edges).
+//
+// A few dozen augmented Lagrangian steps find a state of low energy where the rows are nearly met, the demand
+// projection one close by where they are met exactly. Where the projection stalls, more steps are tried
+// before the demands are believed to contradict each other here. Internal to solve/.
+#pragma once
+
+#include <stop_token>
+
+#include "core/problem/problem.h"
+#include "core/solve/iteration.h"
+
+namespace planewright {
+
+struct DemandStart {
+  Vector z;          // on all rows, as far as the projection came: the least that the solve gives
+  bool met = false;  // whether it meets every row
+  int steps = 0;     // iterations told to the observer
+};
+
+DemandStart find_demand_start(const Problem& problem, const Vector& z, SolveObserver* observer,
+                              std::stop_token stop);
+
+}  // namespace planewright
