@@ -151,7 +151,8 @@ TEST(Architecture, OnlyTheFactorisationIncludesMumps) {
   }
 }
 
-// And of CGAL only the kernel, which is LGPL; most of its packages are GPL, which Ipopt's licence does not go with.
+// And of CGAL only the kernel, which is LGPL; most of its packages are GPL, which Ipopt's licence does not go
+// with.
 TEST(Architecture, OnlyTheCrossingsIncludeCgal) {
   const std::set<std::string> lgpl{"CGAL/Exact_predicates_inexact_constructions_kernel.h",
                                    "CGAL/Kernel/global_functions.h"};
