@@ -31,9 +31,11 @@ struct Triangle {
 std::vector<Triangle> triangles_of(const Surface& surface) {
   std::vector<Triangle> triangles;
   for (int p = 0; p < surface.polygons.size(); ++p)
-    for (const auto& c : triangulate(surface.points, surface.polygons[p]))
-      triangles.push_back(
-          {p, c, {surface.points.row(c[0]), surface.points.row(c[1]), surface.points.row(c[2])}});
+    for (const auto& c : triangulate(surface.points, surface.polygons[p])) {
+      const Triangle t{p, c, {surface.points.row(c[0]), surface.points.row(c[1]), surface.points.row(c[2])}};
+      // What is nowhere cannot be sorted into the tree either.
+      if (t.at[0].allFinite() && t.at[1].allFinite() && t.at[2].allFinite()) triangles.push_back(t);
+    }
   return triangles;
 }
 

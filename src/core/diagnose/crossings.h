@@ -9,8 +9,9 @@
 // (1e-13 of the triangles' size) is still no penetration. Triangles in one plane touch: moving along the
 // normal parts them at once. Within one surface that is different, see find_crossings_within.
 //
-// Triangles without area (three corners on a line) count as the segment they are. Units: model units, both
-// surfaces in one frame, wherever it lies. Indices 0-based. Threads: pure.
+// Triangles without area (three corners on a line) count as the segment they are; those with a coordinate
+// that is not finite are left out. Units: model units, both surfaces in one frame, wherever it lies. Indices
+// 0-based. Threads: pure.
 #pragma once
 
 #include <array>
@@ -22,7 +23,7 @@ namespace planewright {
 
 // A view: both have to outlive the call.
 struct Surface {
-  const Points& points;      // #N x 3, finite
+  const Points& points;      // #N x 3
   const Polygons& polygons;  // at least 3 corners each
 };
 

@@ -274,6 +274,20 @@ TEST(Crossings, SeePanelsWithoutArea) {
   EXPECT_TRUE(crossings(needle, needle).empty());
 }
 
+TEST(Crossings, LeaveOutWhatIsNotFinite) {
+  Shape shape = soup(40, 13);
+  const auto before = pairs_of(within(shape));
+  ASSERT_FALSE(before.empty());
+  const int spoilt = before.begin()->second;
+  PairSet expected;
+  for (const auto& pair : before)
+    if (pair.first != spoilt && pair.second != spoilt) expected.insert(pair);
+  shape.positions(3 * spoilt + 1, 2) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(pairs_of(within(shape)), expected);
+  shape.positions(3 * spoilt + 1, 2) = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(pairs_of(within(shape)), expected);
+}
+
 TEST(Crossings, OfNothingAreNone) {
   const Shape nothing{Points(0, 3), {}};
   EXPECT_TRUE(crossings(nothing, floor_triangle()).empty());
