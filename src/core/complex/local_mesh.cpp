@@ -69,8 +69,9 @@ Vector3d LocalMesh::vertex_normal(const PolygonMesh& mesh, int v) const {
 }
 
 InputSurface LocalMesh::input_surface(const PolygonMesh& mesh) const {
-  InputSurface input{positions, Points(positions.rows(), 3), mesh.faces(), face_normals_};
+  InputSurface input{positions, Points(positions.rows(), 3), mesh.faces(), face_normals_, {}};
   for (int v = 0; v < mesh.vertex_count(); ++v) input.vertex_normals.row(v) = vertex_normal(mesh, v);
+  for (int e = 0; e < mesh.edge_count(); ++e) input.edges.push_back({mesh.edge(e).a, mesh.edge(e).b});
   return input;
 }
 

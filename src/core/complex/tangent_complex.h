@@ -50,6 +50,7 @@ struct InputSurface {
   Points vertex_normals;  // #V x 3, unit, area-weighted
   Polygons faces;
   Points face_normals;  // #F x 3, unit
+  std::vector<std::array<int, 2>> edges;  // #E, the vertices at both ends
 };
 
 struct TangentComplex {

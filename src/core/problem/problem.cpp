@@ -146,6 +146,9 @@ Result<void> Problem::add_energies(const ProblemSettings& settings, const Frozen
 
 Result<void> Problem::add_demands(const ProblemSettings& settings, const FrozenGeometry& frozen) {
   const Demands& demands = settings.demands;
+  if (!std::isfinite(demands.margin) || demands.margin < 0.0)
+    return fail(ErrorCode::Usage, "the margin of the demands is not a finite number of at least 0", "margin",
+                "Give mean edges, 1e-4 for example");
   std::optional<State> at;
   if (frozen.at) at = normalised_state(*frozen.at);
   std::optional<NeighbourLayer> neighbour;
@@ -171,10 +174,15 @@ Result<void> Problem::add_demands(const ProblemSettings& settings, const FrozenG
     if (!demand.selection.empty()) {
       const auto found = std::find_if(settings.selections.begin(), settings.selections.end(),
                                       [&](const Selection& s) { return s.name == demand.selection; });
-      if (found == settings.selections.end())
+      if (found == settings.selections.end()) {
+        std::string known;
+        for (const Selection& s : settings.selections) known += (known.empty() ? "" : ", ") + s.name;
         return fail(ErrorCode::Usage,
                     "there is no selection '" + demand.selection + "' for the demand '" + demand.name + "'",
-                    "demands", "Make one of that name, or leave it out for the whole model");
+                    "demands",
+                    (known.empty() ? "There are none" : "Known: " + known) +
+                        "; leave it out for the whole model");
+      }
       selection = &*found;
     }
     const auto values = normalised_values(**info, demand, complex_->origin + centre_, scale_);

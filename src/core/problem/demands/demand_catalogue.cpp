@@ -1,10 +1,23 @@
 #include "core/problem/demands/demand_catalogue.h"
 
+#include "core/problem/demands/border_curve_demand.h"
 #include "core/problem/demands/edge_demand.h"
 #include "core/problem/demands/face_demand.h"
+#include "core/problem/demands/height_band_demand.h"
+#include "core/problem/demands/offset_band_demand.h"
+#include "core/problem/demands/on_plane_demand.h"
+#include "core/problem/demands/prism_demand.h"
 #include "core/problem/demands/vertex_demand.h"
 
 namespace planewright {
+namespace {
+
+// An end that is not given is none.
+std::vector<DemandParameter> band_parameters() {
+  return {{"low", "from", DemandUnit::Length, -kUnbounded}, {"high", "to", DemandUnit::Length, kUnbounded}};
+}
+
+}  // namespace
 
 const std::vector<DemandInfo>& demand_catalogue() {
   static const std::vector<DemandInfo> catalogue = {
@@ -13,6 +26,22 @@ const std::vector<DemandInfo>& demand_catalogue() {
       {"face", "Panels in front", "No mesh vertex pokes through its panel.", "3", true, false, {}, make_face_demand},
       {"edge", "Edges in front", "No panel edge dips under the mesh edge it crosses.", "3", true, false, {},
        make_edge_demand},
+      {"offset-band", "Offset band", "The distance of every panel's plane from the mesh stays in a band.", "2.4",
+       true, true, band_parameters(), make_offset_band_demand},
+      {"height-band", "Height band", "The height of every point over the mesh stays in a band.", "2.4", true,
+       true, band_parameters(), make_height_band_demand},
+      {"prism", "Above its face", "Every point stays straight above or below its mesh face.", "2.4", true, false,
+       {}, make_prism_demand},
+      {"on-plane", "On a plane", "The points lie on a given plane, such as a floor slab.", "", true, true,
+       {{"px", "through x", DemandUnit::CoordinateX},
+        {"py", "y", DemandUnit::CoordinateY},
+        {"pz", "z", DemandUnit::CoordinateZ},
+        {"nx", "normal x", DemandUnit::None},
+        {"ny", "y", DemandUnit::None},
+        {"nz", "z", DemandUnit::None, 1.0}},
+       make_on_plane_demand},
+      {"border", "Border on its curve", "The outline of the design stays on its curve.", "", true, true, {},
+       make_border_curve_demand},
   };
   return catalogue;
 }

@@ -1,5 +1,5 @@
-// Face: no mesh vertex pokes through its panel ([Z] section 3),  side * h_i >= margin. Linear; unit: edges. One
-// row per panel.
+// Face: no mesh vertex pokes through its panel ([Z] section 3),  side * h_i >= margin. Linear; unit: edges.
+// One row per panel.
 #pragma once
 
 #include "core/problem/demands/demand_catalogue.h"

@@ -24,19 +24,36 @@ bool point_named(const TangentComplex& complex, const Selection& selection, int 
   return false;
 }
 
+// Planarize: the vertices at the ends of the named edges, ascending.
+std::vector<int> ends_of_edges(const TangentComplex& complex, const std::vector<int>& edges) {
+  std::vector<int> vertices;
+  for (int e : edges)
+    if (e >= 0 && e < static_cast<int>(complex.input.edges.size()))
+      for (int v : complex.input.edges[static_cast<size_t>(e)]) vertices.push_back(v);
+  std::sort(vertices.begin(), vertices.end());
+  return vertices;
+}
+
 }  // namespace
 
 SelectedElements selected_elements(const TangentComplex& complex, const Selection* selection) {
-  const auto points = static_cast<size_t>(complex.point_count()), panels = static_cast<size_t>(complex.plane_count());
+  const auto points = static_cast<size_t>(complex.point_count()),
+             panels = static_cast<size_t>(complex.plane_count());
   if (!selection) return {std::vector<char>(points, 1), std::vector<char>(panels, 1)};
   SelectedElements out{std::vector<char>(points, 0), std::vector<char>(panels, 0)};
   for (size_t j = 0; j < points; ++j) out.points[j] = point_named(complex, *selection, static_cast<int>(j));
+  if (complex.kind == ComplexKind::Planarize) {
+    const std::vector<int> ends = ends_of_edges(complex, selection->edges);
+    for (size_t j = 0; j < points; ++j)
+      if (contains(ends, complex.point_origin[j].element)) out.points[j] = 1;
+  }
   const auto& named_panels = complex.kind == ComplexKind::Dual ? selection->vertices : selection->faces;
   for (size_t i = 0; i < panels; ++i) {
     const auto corners = complex.panels[static_cast<int>(i)];
     out.panels[i] = contains(named_panels, complex.plane_origin[i]) ||
-                    (!corners.empty() && std::all_of(corners.begin(), corners.end(),
-                                                     [&](int j) { return point_named(complex, *selection, j); }));
+                    (!corners.empty() && std::all_of(corners.begin(), corners.end(), [&](int j) {
+                      return out.points[static_cast<size_t>(j)] != 0;
+                    }));
   }
   for (size_t i = 0; i < panels; ++i)
     if (out.panels[i])

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "core/problem/constraint.h"
@@ -10,6 +11,9 @@
 #include "core/problem/layout.h"
 
 namespace planewright {
+
+// What its rows are called: the demand that a designer knows it by.
+inline constexpr std::string_view kSeparationName = "no-penetration";
 
 // separations: model units; centre, scale: of the problem's normalised frame within the complex's.
 std::unique_ptr<Constraint> make_separation_constraint(const Layout& layout,

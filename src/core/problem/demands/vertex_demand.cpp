@@ -16,7 +16,8 @@ Result<Constraints> make_vertex_demand(const DemandContext& context) {
     double farthest = -kUnbounded;
     for (int v : complex.input.faces[face])
       farthest = std::max(farthest, out.dot(complex.input.vertices.row(v)));
-    rows->add_point(context.layout.x(j), out, {farthest + context.margin, kUnbounded}, {ElementKind::Point, j});
+    rows->add_point(context.layout.x(j), out, {farthest + context.margin, kUnbounded},
+                    {ElementKind::Point, j});
   }
   Constraints constraints;
   constraints.push_back(std::move(rows));
