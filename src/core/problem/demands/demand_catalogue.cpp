@@ -1,12 +1,16 @@
 #include "core/problem/demands/demand_catalogue.h"
 
 #include "core/problem/demands/border_curve_demand.h"
+#include "core/problem/demands/convex_demand.h"
+#include "core/problem/demands/coplanar_beams_demand.h"
 #include "core/problem/demands/edge_demand.h"
 #include "core/problem/demands/face_demand.h"
 #include "core/problem/demands/height_band_demand.h"
 #include "core/problem/demands/offset_band_demand.h"
 #include "core/problem/demands/on_plane_demand.h"
 #include "core/problem/demands/prism_demand.h"
+#include "core/problem/demands/star_demand.h"
+#include "core/problem/demands/uncrossed_demand.h"
 #include "core/problem/demands/vertex_demand.h"
 
 namespace planewright {
@@ -42,6 +46,15 @@ const std::vector<DemandInfo>& demand_catalogue() {
        make_on_plane_demand},
       {"border", "Border on its curve", "The outline of the design stays on its curve.", "", true, true, {},
        make_border_curve_demand},
+      {"star", "Star-shaped panels", "Every panel shows all of its outline to one point inside it.", "", true,
+       true, {{"eps", "least area share", DemandUnit::None, 1e-3}}, make_star_demand},
+      {"uncrossed", "Panels uncrossed", "No panel crosses itself, and no panel edge turns round.", "", true, true,
+       {{"eps", "least area share", DemandUnit::None, 1e-3}, {"kappa", "least edge share", DemandUnit::None, 0.1}},
+       make_uncrossed_demand},
+      {"convex", "Convex panels", "Every corner of a panel turns the same way.", "4.2", true, true,
+       {{"eps", "least turn", DemandUnit::None, 1e-3}}, make_convex_demand},
+      {"coplanar-beams", "Flat beams", "A straight flat beam fits between each edge and the other layer's.", "4.3",
+       true, true, {}, make_coplanar_beams_demand},
   };
   return catalogue;
 }
