@@ -2,6 +2,8 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/version.h"
@@ -43,6 +45,155 @@ Json health_json(const HealthReport& health) {
           {"defects", defects}};
 }
 
+Json element_json(const ElementRef& element) {
+  return {{"kind", name(element.kind)}, {"index", element.index}};
+}
+
+Json waivers_json(const std::vector<Waiver>& waivers) {
+  Json list = Json::array();
+  for (const Waiver& waiver : waivers)
+    list.push_back({{"demand", waiver.demand}, {"element", element_json(waiver.element)}});
+  return list;
+}
+
+Json demands_json(const Demands& demands) {
+  Json list = Json::array();
+  for (const Demand& demand : demands.list) {
+    if (!demand.on) continue;
+    Json entry = {{"name", demand.name}, {"values", demand.values}};
+    if (!demand.selection.empty()) entry["selection"] = demand.selection;
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+Json constraints_json(const SolveReport& solve) {
+  Json constraints = Json::object();
+  for (const auto& constraint : solve.constraints)
+    constraints[constraint.name] = {
+        {"max_violation", constraint.max_violation},
+        {"violated", constraint.violated},
+        {"rows", constraint.rows},
+        {"unit", constraint.unit},
+        {"worst", constraint.max_violation > 0.0 ? Json(text(constraint.worst)) : Json()}};
+  return constraints;
+}
+
+Json diagnosis_json(const SolveRecord& record) {
+  Json degenerate = Json::array(), short_edges = Json::array();
+  for (const IllDetermined& point : record.ill_determined)
+    degenerate.push_back({{"point", point.point}, {"singular_value", point.singular_value}});
+  for (const ShortEdge& edge : record.short_edges)
+    short_edges.push_back({{"edge", edge.edge}, {"length", edge.length}});
+  return {{"degenerate_points", degenerate},
+          {"short_edges", short_edges},
+          {"crossing_panels", record.self_crossing}};
+}
+
+Json planarity_json(const Planarity& planarity) {
+  return {{"max", planarity.max},
+          {"mean", planarity.mean},
+          {"max_relative_to_bbox", planarity.max_relative_to_bbox}};
+}
+
+Json offset_json(const OffsetRecord& offset) {
+  Json blunted = Json::array(), residuals = Json::array();
+  for (const auto& corner : offset.blunted)
+    blunted.push_back({{"point", corner.point}, {"wanted_move", corner.wanted_move}});
+  for (const auto& corner : offset.residuals)
+    residuals.push_back({{"point", corner.point}, {"residual", corner.residual}});
+  return {{"file", offset.file},
+          {"thickness", offset.thickness},
+          {"planarity", planarity_json(offset.planarity)},
+          {"blunted", blunted},
+          {"residuals", residuals}};
+}
+
+// What was asked of one layer.
+void add_settings(Json& json, const SolveRecord& record) {
+  const LayerSettings& settings = record.settings;
+  Json weights = Json::object();
+  for (const auto& [name, weight] : settings.weights) weights[name] = weight;
+  json["mode"] = key(settings.mode);
+  json["freedom"] = key(settings.freedom);
+  json["offset"] = settings.offset;
+  json["side"] = settings.side_sign() < 0.0 ? "inside" : "outside";
+  json["preset"] = record.preset.empty() ? Json() : Json(record.preset);
+  json["weights"] = weights;
+  json["demands"] = demands_json(settings.demands);
+  json["margin"] = settings.demands.margin;
+  json["no_penetration"] = settings.no_penetration;
+  json["pins"] = settings.demands.pins.size();
+  json["plane_pins"] = settings.demands.plane_pins.size();
+  json["waived"] = waivers_json(settings.demands.waived);
+  json["reference"] = record.reference.empty() ? Json() : Json(record.reference);
+}
+
+// How one layer ended and what came of it.
+void add_outcome(Json& json, const SolveRecord& record) {
+  const SolveReport& solve = record.solve;
+  Json energies = Json::object();
+  for (const auto& energy : solve.energies) energies[energy.name] = energy.value;
+  json["solver"] = solve.solver;
+  json["status"] = name(solve.status);
+  json["stop_reason"] = solve.stop_reason;
+  json["iterations"] = solve.iterations;
+  json["rounds"] = solve.rounds;
+  json["first_order_residual"] = solve.first_order_residual;
+  json["seconds"] = {
+      {"build", record.seconds_build}, {"solve", solve.seconds}, {"total", record.seconds_total}};
+  json["panels"] = record.panels;
+  json["points"] = record.points;
+  json["mean_edge"] = record.mean_edge;
+  json["planarity"] = planarity_json(record.planarity);
+  json["displacement"] = {{"rms", record.displacement.rms},
+                          {"max", record.displacement.max},
+                          {"rms_edges", record.displacement.rms / record.mean_edge},
+                          {"max_edges", record.displacement.max / record.mean_edge}};
+  json["energies"] = energies;
+  json["constraints"] = constraints_json(solve);
+  json["conflicts"] = waivers_json(solve.conflicts);
+  json["crossings"] = solve.crossings < 0 ? Json() : Json(solve.crossings);
+  json["diagnosis"] = diagnosis_json(record);
+  if (record.offset_layer) json["parallel_offset"] = offset_json(*record.offset_layer);
+  if (record.beams)
+    json["beams"] = {{"file", record.beams->file},
+                     {"with", record.beams->with},
+                     {"count", record.beams->count},
+                     {"max_planarity", record.beams->max_planarity},
+                     {"max_twist", record.beams->max_twist}};
+}
+
+Json heading(const SolveRecord& record) {
+  return {{"tool", "planewright"}, {"version", kVersion}, {"input", record.input}};
+}
+
+// A file's name may be any bytes; those that are not UTF-8 are replaced.
+std::string written(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::optional<ElementKind> kind_named(const std::string& text) {
+  for (const ElementKind kind : {ElementKind::Point, ElementKind::Panel, ElementKind::PanelEdge})
+    if (text == name(kind)) return kind;
+  return {};
+}
+
+// Nothing where an entry is none that waivers_json wrote.
+std::optional<Waiver> read_waiver(const Json& entry) {
+  if (!entry.is_object() || !entry.contains("demand") || !entry["demand"].is_string() ||
+      !entry.contains("element") || !entry["element"].is_object())
+    return {};
+  const Json& element = entry["element"];
+  if (!element.contains("kind") || !element["kind"].is_string() || !element.contains("index") ||
+      !element["index"].is_number_integer())
+    return {};
+  const auto kind = kind_named(element["kind"].get<std::string>());
+  const auto index = element["index"].get<long long>();
+  if (!kind || index < 0 || index > std::numeric_limits<int>::max()) return {};
+  return Waiver{entry["demand"].get<std::string>(), {*kind, static_cast<int>(index)}};
+}
+
 }  // namespace
 
 double peak_memory_mb() {
@@ -52,60 +203,72 @@ double peak_memory_mb() {
 }
 
 std::string to_json(const SolveRecord& record) {
-  const SolveReport& solve = record.solve;
-  Json energies = Json::object(), constraints = Json::object();
-  for (const auto& energy : solve.energies) energies[energy.name] = energy.value;
-  for (const auto& constraint : solve.constraints)
-    constraints[constraint.name] = {{"max_violation", constraint.max_violation},
-                                    {"violated", constraint.violated}};
-  Json weights = Json::object();
-  for (const auto& [name, weight] : record.settings.weights) weights[name] = weight;
-  Json degenerate = Json::array();
-  for (const IllDetermined& point : record.ill_determined)
-    degenerate.push_back({{"point", point.point}, {"singular_value", point.singular_value}});
+  Json json = heading(record);
+  add_settings(json, record);
+  add_outcome(json, record);
+  json["peak_memory_mb"] = peak_memory_mb();
+  json["health"] = health_json(record.health);
+  return written(json);
+}
 
-  Json short_edges = Json::array();
-  for (const ShortEdge& edge : record.short_edges)
-    short_edges.push_back({{"edge", edge.edge}, {"length", edge.length}});
+std::string to_json(const std::vector<SolveRecord>& layers) {
+  Json json = heading(layers.front());
+  const auto missed = std::find_if(layers.begin(), layers.end(), [](const SolveRecord& record) {
+    return record.solve.status != SolveStatus::Converged;
+  });
+  json["status"] = name(missed == layers.end() ? SolveStatus::Converged : missed->solve.status);
+  Json list = Json::array();
+  for (const SolveRecord& record : layers) {
+    Json entry = {{"name", record.layer}};
+    add_settings(entry, record);
+    add_outcome(entry, record);
+    list.push_back(std::move(entry));
+  }
+  json["layers"] = std::move(list);
+  json["peak_memory_mb"] = peak_memory_mb();
+  json["health"] = health_json(layers.front().health);
+  return written(json);
+}
 
-  const Json json = {
-      {"tool", "planewright"},
-      {"version", kVersion},
-      {"input", record.input},
-      {"mode", key(record.settings.mode)},
-      {"freedom", key(record.settings.freedom)},
-      {"offset", record.settings.offset},
-      {"weights", weights},
-      {"solver", solve.solver},
-      {"status", name(solve.status)},
-      {"stop_reason", solve.stop_reason},
-      {"iterations", solve.iterations},
-      {"first_order_residual", solve.first_order_residual},
-      {"peak_memory_mb", peak_memory_mb()},
-      {"seconds",
-       {{"build", record.seconds_build}, {"solve", solve.seconds}, {"total", record.seconds_total}}},
-      {"panels", record.panels},
-      {"points", record.points},
-      {"mean_edge", record.mean_edge},
-      {"planarity",
-       {{"max", record.planarity.max},
-        {"mean", record.planarity.mean},
-        {"max_relative_to_bbox", record.planarity.max_relative_to_bbox}}},
-      {"displacement",
-       {{"rms", record.displacement.rms},
-        {"max", record.displacement.max},
-        {"rms_edges", record.displacement.rms / record.mean_edge},
-        {"max_edges", record.displacement.max / record.mean_edge}}},
-      {"energies", energies},
-      {"constraints", constraints},
-      {"diagnosis",
-       {{"degenerate_points", degenerate},
-        {"short_edges", short_edges},
-        {"crossing_panels", record.self_crossing}}},
-      {"health", health_json(record.health)},
-  };
-  // A file's name may be any bytes; those that are not UTF-8 are replaced.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+Result<std::vector<Waiver>> read_waivers(std::string_view json, const std::string& name,
+                                         const std::string& layer) {
+  constexpr const char* kRemedy = "Give a report that an earlier solve of this design wrote with --report";
+  const Json report = Json::parse(json, nullptr, false);
+  if (report.is_discarded() || !report.is_object() || !report.contains("tool"))
+    return fail(ErrorCode::Unreadable, "the file is no report of a solve", name, kRemedy);
+  const Json* record = &report;
+  if (report.contains("layers") != !layer.empty())
+    return fail(
+        ErrorCode::Unreadable,
+        layer.empty() ? "the report is one of several layers" : "the report is not one of several layers",
+        name, layer.empty() ? "Solve with the same --layers" : "Solve without --layers");
+  if (!layer.empty()) {
+    record = nullptr;
+    std::string known;
+    if (report["layers"].is_array())
+      for (const Json& entry : report["layers"]) {
+        if (!entry.is_object() || !entry.contains("name") || !entry["name"].is_string()) continue;
+        const auto title = entry["name"].get<std::string>();
+        if (title == layer) record = &entry;
+        known += (known.empty() ? "" : ", ") + title;
+      }
+    if (!record)
+      return fail(ErrorCode::Unreadable, "the report has no layer '" + layer + "'", name, "It has: " + known);
+  }
+  std::vector<Waiver> waivers;
+  for (const char* list : {"waived", "conflicts"}) {
+    if (!record->contains(list) || !(*record)[list].is_array())
+      return fail(ErrorCode::Unreadable, std::string("the report has no list '") + list + "'", name, kRemedy);
+    for (const Json& entry : (*record)[list]) {
+      auto waiver = read_waiver(entry);
+      if (!waiver)
+        return fail(ErrorCode::Unreadable,
+                    std::string("an entry of '") + list + "' is no demand at an element: " + entry.dump(),
+                    name, kRemedy);
+      waivers.push_back(std::move(*waiver));
+    }
+  }
+  return waivers;
 }
 
 }  // namespace planewright

@@ -31,7 +31,20 @@ SolveRecord full_record() {
   record.solve.seconds = 1.5;
   record.solve.first_order_residual = 3e-5;
   record.solve.energies = {{"position", 1.0, 2.5}, {"fairing", 0.5, 0.125}};
-  record.solve.constraints = {{"incidence", 1e-15, 0}, {"unit normal", 2e-16, 3}};
+  record.solve.constraints = {{"incidence", 1e-15, 0, "edges", 36, {ElementKind::Point, 4}},
+                              {"unit normal", 0.0, 3, "", 7, {}}};
+  record.solve.conflicts = {{"vertex", {ElementKind::Point, 8}}, {"edge", {ElementKind::PanelEdge, 2}}};
+  record.solve.rounds = 3;
+  record.solve.crossings = 2;
+  record.preset = "smooth-shell";
+  record.reference = "survey.ply";
+  record.settings.side = Side::Inside;
+  record.settings.no_penetration = true;
+  record.settings.demands.margin = 0.01;
+  record.settings.demands.list = {{"offset-band", true, "roof", {0.1, 0.5}}, {"face", false, {}, {}}};
+  record.settings.demands.pins = {{{PointKind::Vertex, 1}, {0.0, {}, {}}}};
+  record.settings.demands.plane_pins = {{2, {}}, {3, {}}};
+  record.settings.demands.waived = {{"face", {ElementKind::Panel, 6}}};
   record.panels = 7;
   record.points = 12;
   record.mean_edge = 2.0;
@@ -70,8 +83,27 @@ TEST(SolveRecord, JsonSaysEverything) {
   EXPECT_EQ(json["displacement"],
             (Json{{"rms", 0.5}, {"max", 3.0}, {"rms_edges", 0.25}, {"max_edges", 1.5}}));
   EXPECT_EQ(json["energies"], (Json{{"position", 2.5}, {"fairing", 0.125}}));
-  EXPECT_EQ(json["constraints"]["incidence"], (Json{{"max_violation", 1e-15}, {"violated", 0}}));
-  EXPECT_EQ(json["constraints"]["unit normal"], (Json{{"max_violation", 2e-16}, {"violated", 3}}));
+  EXPECT_EQ(
+      json["constraints"]["incidence"],
+      (Json{
+          {"max_violation", 1e-15}, {"violated", 0}, {"rows", 36}, {"unit", "edges"}, {"worst", "point 4"}}));
+  EXPECT_TRUE(json["constraints"]["unit normal"]["worst"].is_null());  // nothing is violated
+  EXPECT_EQ(json["constraints"]["unit normal"]["violated"], 3);
+  EXPECT_EQ(json["conflicts"], Json::parse(R"([{"demand": "vertex", "element": {"kind": "point", "index": 8}},
+                            {"demand": "edge", "element": {"kind": "panel edge", "index": 2}}])"));
+  EXPECT_EQ(json["waived"], Json::parse(R"([{"demand": "face", "element": {"kind": "panel", "index": 6}}])"));
+  EXPECT_EQ(json["rounds"], 3);
+  EXPECT_EQ(json["crossings"], 2);
+  EXPECT_EQ(json["preset"], "smooth-shell");
+  EXPECT_EQ(json["reference"], "survey.ply");
+  EXPECT_EQ(json["side"], "inside");
+  EXPECT_EQ(json["no_penetration"], true);
+  EXPECT_EQ(json["margin"], 0.01);
+  EXPECT_EQ(json["demands"],  // those that are on
+            Json::parse(R"([{"name": "offset-band", "values": [0.1, 0.5], "selection": "roof"}])"));
+  EXPECT_EQ(json["pins"], 1);
+  EXPECT_EQ(json["plane_pins"], 2);
+  EXPECT_FALSE(json.contains("layers") || json.contains("parallel_offset") || json.contains("beams"));
   ASSERT_EQ(json["diagnosis"]["degenerate_points"].size(), 2u);
   EXPECT_EQ(json["diagnosis"]["degenerate_points"][0], (Json{{"point", 5}, {"singular_value", 0.01}}));
   EXPECT_EQ(json["health"]["vertices"], 12);
@@ -90,6 +122,88 @@ TEST(SolveRecord, AnEmptyRecordIsStillJson) {
   EXPECT_TRUE(json["constraints"].is_object());
   EXPECT_TRUE(json["diagnosis"]["degenerate_points"].is_array());
   EXPECT_TRUE(json["health"]["defects"].is_array());
+  EXPECT_TRUE(json["preset"].is_null());
+  EXPECT_TRUE(json["reference"].is_null());
+  EXPECT_TRUE(json["crossings"].is_null());  // not counted
+}
+
+TEST(SolveRecord, OffsetAndBeamsStandInTheirLayer) {
+  SolveRecord record = full_record();
+  record.offset_layer = OffsetRecord{"p-offset.obj", 0.2, {}, {{4, 1.5}}, {{7, 0.25}, {9, 0.5}}};
+  record.offset_layer->planarity.max = 0.125;
+  record.beams = BeamsRecord{"b.obj", "outer", 12, 1e-9, 0.5};
+  const Json json = Json::parse(to_json(record));
+  EXPECT_EQ(json["parallel_offset"]["file"], "p-offset.obj");
+  EXPECT_EQ(json["parallel_offset"]["thickness"], 0.2);
+  EXPECT_EQ(json["parallel_offset"]["planarity"]["max"], 0.125);
+  EXPECT_EQ(json["parallel_offset"]["blunted"], Json::parse(R"([{"point": 4, "wanted_move": 1.5}])"));
+  EXPECT_EQ(json["parallel_offset"]["residuals"],
+            Json::parse(R"([{"point": 7, "residual": 0.25}, {"point": 9, "residual": 0.5}])"));
+  EXPECT_EQ(
+      json["beams"],
+      (Json{
+          {"file", "b.obj"}, {"with", "outer"}, {"count", 12}, {"max_planarity", 1e-9}, {"max_twist", 0.5}}));
+}
+
+TEST(SolveRecord, LayersShareTheHeading) {
+  SolveRecord outer = full_record(), inner = full_record();
+  outer.layer = "outer";
+  outer.solve.status = SolveStatus::Converged;
+  inner.layer = "inner";
+  inner.settings.offset = -0.5;
+  const Json json = Json::parse(to_json(std::vector<SolveRecord>{outer, inner}));
+  EXPECT_EQ(json["tool"], "planewright");
+  EXPECT_EQ(json["input"], "roof \"A\".obj");
+  EXPECT_EQ(json["status"], "planar, not converged");  // of the one that is not
+  EXPECT_EQ(json["health"]["vertices"], 12);
+  ASSERT_EQ(json["layers"].size(), 2u);
+  EXPECT_EQ(json["layers"][0]["name"], "outer");
+  EXPECT_EQ(json["layers"][0]["status"], "converged");
+  EXPECT_EQ(json["layers"][1]["name"], "inner");
+  EXPECT_EQ(json["layers"][1]["offset"], -0.5);
+  EXPECT_EQ(json["layers"][1]["conflicts"].size(), 2u);
+  inner.solve.status = SolveStatus::Converged;
+  EXPECT_EQ(Json::parse(to_json(std::vector<SolveRecord>{outer, inner}))["status"], "converged");
+}
+
+TEST(ReadWaivers, ReadsWhatToJsonWrote) {
+  const SolveRecord record = full_record();
+  const std::vector<Waiver> both{{"face", {ElementKind::Panel, 6}},
+                                 {"vertex", {ElementKind::Point, 8}},
+                                 {"edge", {ElementKind::PanelEdge, 2}}};
+  EXPECT_EQ(read_waivers(to_json(record), "r.json", "").value(), both);
+  SolveRecord outer = record, inner = record;
+  outer.layer = "outer";
+  outer.solve.conflicts.clear();
+  inner.layer = "inner";
+  const std::string layered = to_json(std::vector<SolveRecord>{outer, inner});
+  EXPECT_EQ(read_waivers(layered, "r.json", "outer").value(), (std::vector<Waiver>{both[0]}));
+  EXPECT_EQ(read_waivers(layered, "r.json", "inner").value(), both);
+}
+
+TEST(ReadWaivers, RefusesWhatIsNoSuchReport) {
+  const auto refused = [](const std::string& json, const std::string& layer, const std::string& says) {
+    const auto read = read_waivers(json, "r.json", layer);
+    ASSERT_FALSE(read) << json;
+    EXPECT_EQ(read.error().code, ErrorCode::Unreadable);
+    EXPECT_EQ(read.error().where, "r.json");
+    EXPECT_NE(read.error().text().find(says), std::string::npos) << read.error().text();
+  };
+  const std::string flat = to_json(full_record());
+  SolveRecord named = full_record();
+  named.layer = "outer";
+  const std::string layered = to_json(std::vector<SolveRecord>{named});
+  for (const char* json : {"", "no json", "[]", "{}", "3"}) refused(json, "", "no report");
+  refused(flat, "outer", "not one of several layers");
+  refused(layered, "", "one of several layers");
+  refused(layered, "inner", "It has: outer");
+  refused(R"({"tool": "planewright"})", "", "no list");
+  for (const char* entry : {"3", "{}", R"({"demand": "face", "element": {"kind": "roof", "index": 1}})",
+                            R"({"demand": "face", "element": {"kind": "panel", "index": -1}})",
+                            R"({"demand": "face", "element": {"kind": "panel", "index": 1.5}})",
+                            R"({"demand": 3, "element": {"kind": "panel", "index": 1}})"})
+    refused(R"({"tool": "planewright", "waived": [], "conflicts": [)" + std::string(entry) + "]}", "",
+            "no demand at an element");
 }
 
 TEST(SolveRecord, NumbersThatAreNotFiniteBecomeNull) {

@@ -1,0 +1,114 @@
+#include "cli/solve_options.h"
+
+#include <map>
+
+#include "cli/finite_number.h"
+
+namespace planewright::cli {
+namespace {
+
+using Options = std::shared_ptr<SolveCommandOptions>;
+
+void declare_files(CLI::App& command, const Options& options) {
+  command.add_option("IN", options->input, "Mesh to work on (.obj .off .ply .stl)")->required();
+  command.add_option("-o,--output", options->output, "Panels to write (.obj .off .ply .stl)")->required();
+  command.add_option("--report", options->report, "JSON report to write");
+  command.add_option("--unit", options->unit, "Unit of the model, for messages")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  command.add_flag("--quiet", options->quiet, "No progress and no summary; errors and warnings still appear");
+}
+
+// What steers an optimisation. Returned: what means nothing where there is none.
+std::vector<CLI::Option*> declare_wishes(CLI::App& command, const Options& options) {
+  return {
+      command
+          .add_option("--freedom", options->settings.freedom,
+                      "What may change of the planes: 'fixed', 'normals', or 'all' (normals and offsets, the "
+                      "default)")
+          ->transform(
+              CLI::CheckedTransformer(std::map<std::string, Freedom>{{"fixed", Freedom::Fixed},
+                                                                     {"normals", Freedom::Normals},
+                                                                     {"all", Freedom::NormalsAndOffsets}})),
+      command.add_option(
+          "--preset", options->preset,
+          "Weights and constraints for a purpose: smooth-shell, uncrossed, hhh, ... (an unknown "
+          "name lists them)"),
+      command.add_option("--weights", options->weights,
+                         "Weights of the energies, over the preset's: position=1,fairing=0.1"),
+      command.add_option("--reference", options->reference,
+                         "Mesh that 'closeness' refers to, instead of IN (.obj .off .ply .stl)"),
+      command.add_option("--max-iterations", options->settings.max_iterations, "Stop after this many")
+          ->check(CLI::Range(0, 1000000)),
+      command
+          .add_option("--tolerance", options->settings.tolerance,
+                      "First-order residual at which the solve counts as converged (weights relative to the "
+                      "largest, lengths in mean edges)")
+          ->check(finite_number())
+          ->check(CLI::PositiveNumber)};
+}
+
+std::vector<CLI::Option*> declare_demands(CLI::App& command, const Options& options) {
+  return {
+      command
+          .add_option(
+              "--constraint", options->constraints,
+              "What has to hold: NAME[=VALUE[:VALUE...]][@SELECTION], model units, an empty value takes "
+              "its default; may be given several times (an unknown name lists them)")
+          ->expected(1)
+          ->take_all(),
+      command.add_flag("--no-penetration", options->no_penetration,
+                       "Panels stay clear of the mesh: constraints vertex, face and edge, and a test of the "
+                       "finished panels"),
+      command
+          .add_option("--margin", options->settings.demands.margin,
+                      "By how much inequalities are met, mean edges (default 1e-4)")
+          ->check(finite_number())
+          ->check(CLI::NonNegativeNumber),
+      command
+          .add_option(
+              "--side", options->settings.side,
+              "Side of the mesh that the panels lie on, 'outside' or 'inside' (default: by the offset)")
+          ->transform(CLI::CheckedTransformer(
+              std::map<std::string, Side>{{"outside", Side::Outside}, {"inside", Side::Inside}})),
+      command.add_option("--select", options->selections,
+                         "File of named selections, for --constraint ...@NAME"),
+      command.add_option("--pin", options->pins, "File of pinned points and planes"),
+      command
+          .add_option(
+              "--waive", options->waive,
+              "Earlier report: the constraints it names as conflicts are given up where they conflict")
+          ->expected(1)
+          ->take_all()};
+}
+
+std::vector<CLI::Option*> declare_layers(CLI::App& command, const Options& options) {
+  command
+      .add_option(
+          "--thickness", options->thickness,
+          "Also write the panels' parallel offset by this thickness (OUT with '-offset'), model units, "
+          "negative to the inside")
+      ->check(finite_number());
+  command.add_option("--beams", options->beams,
+                     "Also write the beams between the panels and their offset, or between two layers");
+  return {command.add_option(
+      "--layers", options->layers,
+      "Several layers: NAME=OFFSET,NAME=OFFSET,... or a .json file with settings for each")};
+}
+
+}  // namespace
+
+void declare_solve_options(CLI::App& command, const Options& options) {
+  declare_files(command, options);
+  command
+      .add_option("--offset", options->settings.offset,
+                  "Wanted distance from the input along its normals, model units")
+      ->check(finite_number());
+  command.add_option("--solver", options->solver, "Which solver")->check(CLI::IsMember({"ipopt"}));
+  auto* explicit_points = command.add_flag(
+      "--explicit", options->explicit_points,
+      "No optimisation: intersect the tangent planes directly (the baseline), and say where that fails");
+  for (const auto& declare : {declare_wishes, declare_demands, declare_layers})
+    for (CLI::Option* option : declare(command, options)) explicit_points->excludes(option);
+}
+
+}  // namespace planewright::cli

@@ -1,0 +1,31 @@
+// The options that dual, planarize and panels share, as the user gave them.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/design/layer_settings.h"
+
+namespace planewright::cli {
+
+struct SolveCommandOptions {
+  std::string input, output, report, unit = "m", solver = "ipopt";
+  LayerSettings settings;     // what one option gives whole: mode, offset, freedom, side, limits
+  bool mode_by_mesh = false;  // `panels`: triangles become a dual, anything else is planarized
+  bool quiet = false, explicit_points = false;
+
+  // Parsed later, with messages of their own.
+  std::string preset, weights;
+  std::vector<std::string> constraints;
+  bool no_penetration = false;
+  std::string pins, selections, reference, layers, beams;  // files; layers: or a list
+  std::vector<std::string> waive;
+  double thickness = 0.0;
+};
+
+// Declares them on a command; --border is dual's own.
+void declare_solve_options(CLI::App& command, const std::shared_ptr<SolveCommandOptions>& options);
+
+}  // namespace planewright::cli
