@@ -208,7 +208,8 @@ struct Pairs {
     if (within && s.polygon >= t.polygon) return;
     Parting parting(s, t);
     const double enough = std::max(touch, kRounding * parting.size());
-    // The exact predicates come last: most pairs have an axis that parts them, which is cheaper to see.
+    // Most pairs have an axis that parts them, which is cheap to see. The exact predicates have the last word
+    // on the others: the axes of needles are inexact themselves, and may miss the one that parts them.
     const bool crosses = within && parting.in_one_plane(enough)
                              ? parting.deeper_in_plane(enough)
                              : parting.deeper_in_space(enough) && intersect(s, t, within);

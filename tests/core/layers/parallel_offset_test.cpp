@@ -165,6 +165,35 @@ TEST(ParallelOffset, NamesAndBluntsCornersThatMoveTooFar) {
   for (const auto& residual : offset.residuals) EXPECT_NE(residual.point, corner);
 }
 
+// A corner of the outline that is nearly straight, between two that planes move apart: parallel edges would
+// take it far along the outline. It slides as far as it may and stays on its plane.
+TEST(ParallelOffset, BluntsASlideThatIsTooFarWithinThePlane) {
+  const Shape panel{make_points({{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1.01, 0}, {0, 1, 0}}),
+                    {{0, 1, 2, 3, 4}}};
+  TangentComplex complex = *planarize_of(panel.mesh());
+  State state = initial_state(complex);
+  // More planes than the panel's through the corners at both sides: they move by (1/3, -1/3, 1) and
+  // (1/3, 1/3, 1) thicknesses.
+  complex.planes_of_point = {{0}, {0}, {0, 1, 3}, {0}, {0, 1, 2}};
+  state.n = make_points({{0, 0, 1}, {0.6, 0, 0.8}, {0, 0.6, 0.8}, {0, -0.6, 0.8}});
+  state.h = Vector::Zero(4);
+  complex.anchors = Points::Zero(4, 3);
+  const double t = 0.1;
+  const ParallelOffset offset = parallel_offset(complex, state, t);
+  ASSERT_EQ(offset.blunted.size(), 1u);
+  EXPECT_EQ(offset.blunted[0].point, 3);
+  // (0.01, 1) . m = 0.01 / 3 - 1 / 3 and (-0.01, 1) . m = -0.01 / 3 + 1 / 3, but for the part along z.
+  const double along = (0.01 / 3 - 1.0 / 3) / 0.01;
+  EXPECT_NEAR(offset.blunted[0].wanted_move, t * std::hypot(along, 1.0), 1e-6);
+  const Vector3d move = (offset.state.x.row(3) - state.x.row(3)).transpose();
+  EXPECT_NEAR(move.z(), t, 1e-14);
+  EXPECT_NEAR(move.norm(), kMostMove * t, 1e-14);
+  EXPECT_LT(move.x(), 0.0);
+  EXPECT_NEAR((offset.state.x.row(4) - state.x.row(4) - t * Eigen::RowVector3d(1.0 / 3, 1.0 / 3, 1)).norm(),
+              0.0, 1e-14);
+  EXPECT_TRUE(offset.residuals.empty());
+}
+
 TEST(ParallelOffset, ReportsWhatIsLeftAtFourPlanes) {
   const Solved design = solved_quads();
   const double t = 0.05;
