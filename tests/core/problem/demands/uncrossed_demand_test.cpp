@@ -189,6 +189,24 @@ TEST(UncrossedDemand, UncrossesWhatASolveLeavesCrossed) {
   }
 }
 
+// Planar panels with a reflex corner each are simple as they are: nothing may move, which it would if all
+// four corners had to turn left.
+TEST(UncrossedDemand, LeavesReflexQuadsAlone) {
+  Shape shape = grid(2, 1);
+  shape.positions(1, 0) = 1.6;  // the middle edge leans over so far that the right panel gets a notch
+  shape.positions(1, 1) = 0.7;
+  const auto complex = planarize_of(shape.mesh());
+  const auto problem = with_demand(complex, kUncrossed);
+  const Vector z = problem->from_state(initial_state(*complex));
+  const Vector values = constraint_values(*problem, z);
+  int reflex = 0;
+  for (int row : rows_of(*problem, "uncrossed", ElementKind::Panel)) reflex += values[row] < -0.1;
+  EXPECT_EQ(reflex, 1);
+  const auto report = solve(*problem);
+  EXPECT_EQ(report.status, SolveStatus::Converged) << report.stop_reason;
+  EXPECT_LT(distance(*complex, report.state, initial_state(*complex)), 1e-6);
+}
+
 TEST(UncrossedDemand, KeepsEdgesOfDualsFromTurningRound) {
   const auto complex = dual_of(jittered(triangle_grid(4, 4), 0.2, 0.4, 2).mesh(), {0.1});
   const auto shortest = [&complex](const State& state) {
