@@ -33,6 +33,26 @@ PanelArrays make_panel_arrays(const Points& points, const Polygons& polygons,
   return arrays;
 }
 
+PanelArrays triangles_of(const PanelArrays& all, const std::vector<int>& polygons) {
+  PanelArrays out;
+  if (!all.geometry) return out;
+  const PanelGeometry& from = *all.geometry;
+  auto geometry = std::make_shared<PanelGeometry>();
+  geometry->first_triangle.push_back(0);
+  for (const int p : polygons) {
+    if (p < 0 || p >= from.polygons.size()) continue;
+    const int first = 3 * from.first_triangle[p], last = 3 * from.first_triangle[p + 1];
+    geometry->polygons.push_back(from.polygons[p]);
+    geometry->corners.insert(geometry->corners.end(), from.corners.begin() + first,
+                             from.corners.begin() + last);
+    geometry->shapes.insert(geometry->shapes.end(), from.shapes.begin() + first, from.shapes.begin() + last);
+    geometry->first_triangle.push_back(static_cast<int>(geometry->corners.size() / 3));
+    out.places.insert(out.places.end(), all.places.begin() + first, all.places.begin() + last);
+  }
+  out.geometry = std::move(geometry);
+  return out;
+}
+
 LineArrays make_line_arrays(const std::vector<Vector3d>& ends) {
   LineArrays arrays;
   const size_t count = ends.size() / 2;

@@ -26,6 +26,10 @@ struct PanelArrays {
 PanelArrays make_panel_arrays(const Points& points, const Polygons& polygons,
                               std::shared_ptr<const PanelGeometry> before = {});
 
+// The triangles of some of the polygons (ascending), to be drawn once more; without shadow. The geometry of
+// what is returned lists those polygons alone, and over no points that a caller has.
+PanelArrays triangles_of(const PanelArrays& all, const std::vector<int>& polygons);
+
 // Lines as rectangles: both ends in each of four corners, two triangles.
 struct LineArrays {
   std::vector<std::array<float, 6>> vertices;

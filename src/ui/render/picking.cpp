@@ -152,6 +152,87 @@ std::optional<int> pick_edge(const Points& points, const std::vector<std::pair<i
   return nearest_visible(candidates, Occluder(occluder, camera, pixel, radius), eye);
 }
 
+std::vector<int> points_in_box(const Points& points, const Camera& camera, glm::vec2 a, glm::vec2 b) {
+  const glm::vec2 low(std::min(a.x, b.x), std::min(a.y, b.y)), high(std::max(a.x, b.x), std::max(a.y, b.y));
+  std::vector<int> inside;
+  for (Eigen::Index i = 0; i < points.rows(); ++i) {
+    const Vector3d p = points.row(i).transpose();
+    if (!p.allFinite() || !(camera.depth(p) > 0.0)) continue;
+    const glm::vec2 at = camera.project(p);
+    if (at.x >= low.x && at.x <= high.x && at.y >= low.y && at.y <= high.y) {
+      inside.push_back(static_cast<int>(i));
+    }
+  }
+  return inside;
+}
+
+std::vector<int> polygons_in_box(const PolygonLayer& layer, const Camera& camera, glm::vec2 a, glm::vec2 b) {
+  std::vector<char> in(static_cast<size_t>(layer.points.rows()), 0);
+  for (const int i : points_in_box(layer.points, camera, a, b)) in[static_cast<size_t>(i)] = 1;
+  std::vector<int> inside;
+  for (int p = 0; p < layer.polygons.size(); ++p) {
+    const auto corners = layer.polygons[p];
+    if (!corners.empty() &&
+        std::all_of(corners.begin(), corners.end(), [&](int c) { return in[static_cast<size_t>(c)] != 0; })) {
+      inside.push_back(p);
+    }
+  }
+  return inside;
+}
+
+std::vector<char> polygons_in_sight(const PolygonLayer& layer, const Camera& camera) {
+  const int width = camera.width(), height = camera.height();
+  const auto pixels = static_cast<size_t>(width) * static_cast<size_t>(height);
+  std::vector<float> nearest(pixels, 0.0f);  // 1 / depth, which is linear on the screen; 0: far away
+  std::vector<int> owner(pixels, -1);
+  for (int p = 0; p < layer.polygons.size(); ++p) {
+    const auto corners = layer.polygons[p];
+    if (corners.size() < 3) continue;
+    if (std::any_of(corners.begin(), corners.end(), [&](int c) {
+          const Vector3d at = layer.points.row(c).transpose();
+          return !at.allFinite() || !(camera.depth(at) > 0.0);
+        })) {
+      continue;
+    }
+    for (const auto& t : triangulate(layer.points, corners)) {
+      glm::vec2 at[3];
+      float inverse[3];
+      for (int k = 0; k < 3; ++k) {
+        const Vector3d corner = layer.points.row(t[static_cast<size_t>(k)]).transpose();
+        at[k] = camera.project(corner);
+        inverse[k] = static_cast<float>(1.0 / camera.depth(corner));
+      }
+      const glm::vec2 ab = at[1] - at[0], ac = at[2] - at[0];
+      const float area = ab.x * ac.y - ab.y * ac.x;
+      if (area == 0.0f) continue;
+      const auto range = [](float x, float y, float z, int most) {
+        const float low = std::clamp(std::floor(std::min({x, y, z})), 0.0f, static_cast<float>(most - 1));
+        const float high = std::clamp(std::ceil(std::max({x, y, z})), 0.0f, static_cast<float>(most - 1));
+        return std::pair(static_cast<int>(low), static_cast<int>(high));
+      };
+      const auto [left, right] = range(at[0].x, at[1].x, at[2].x, width);
+      const auto [top, bottom] = range(at[0].y, at[1].y, at[2].y, height);
+      for (int y = top; y <= bottom; ++y) {
+        for (int x = left; x <= right; ++x) {
+          const glm::vec2 way = glm::vec2(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f) - at[0];
+          const float v = (way.x * ac.y - way.y * ac.x) / area, w = (ab.x * way.y - ab.y * way.x) / area;
+          if (v < 0.0f || w < 0.0f || v + w > 1.0f) continue;
+          const float near = inverse[0] + v * (inverse[1] - inverse[0]) + w * (inverse[2] - inverse[0]);
+          const auto pixel = static_cast<size_t>(y) * static_cast<size_t>(width) + static_cast<size_t>(x);
+          if (near <= nearest[pixel]) continue;
+          nearest[pixel] = near;
+          owner[pixel] = p;
+        }
+      }
+    }
+  }
+  std::vector<char> seen(static_cast<size_t>(layer.polygons.size()), 0);
+  for (const int p : owner) {
+    if (p >= 0) seen[static_cast<size_t>(p)] = 1;
+  }
+  return seen;
+}
+
 std::optional<int> pick_point(const Points& points, const Camera& camera, glm::vec2 pixel, float radius,
                               const PolygonLayer* occluder) {
   std::vector<Candidate> candidates;

@@ -34,4 +34,13 @@ std::optional<int> pick_edge(const Points& points, const std::vector<std::pair<i
 std::optional<int> pick_point(const Points& points, const Camera& camera, glm::vec2 pixel, float radius,
                               const PolygonLayer* occluder);
 
+// All points, and all polygons with every corner, inside a rectangle of the screen (pixels, either two of its
+// opposite corners), ascending. What is behind the eye is outside.
+std::vector<int> points_in_box(const Points& points, const Camera& camera, glm::vec2 a, glm::vec2 b);
+std::vector<int> polygons_in_box(const PolygonLayer& layer, const Camera& camera, glm::vec2 a, glm::vec2 b);
+
+// Which polygons can be seen (#polygons, 1: at least one pixel of it), by drawing their numbers with depth on
+// the CPU; no polygon smaller than a pixel is seen. Polygons that reach behind the eye are not.
+std::vector<char> polygons_in_sight(const PolygonLayer& layer, const Camera& camera);
+
 }  // namespace planewright::render

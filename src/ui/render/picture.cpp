@@ -165,15 +165,17 @@ Result<void> render_picture(const Scene& scene, const PictureOptions& options,
 
 Points points_of(const Scene& scene) {
   std::vector<Vector3d> places;
-  for (const auto* layer : {&scene.panels, &scene.ghost}) {
-    if (!*layer) continue;
+  const auto add = [&](const PolygonLayer& layer) {
     // Only what a polygon uses is drawn.
-    std::vector<char> used(static_cast<size_t>((*layer)->points.rows()), 0);
-    for (int i : (*layer)->polygons.indices()) used[i] = 1;
+    std::vector<char> used(static_cast<size_t>(layer.points.rows()), 0);
+    for (int i : layer.polygons.indices()) used[i] = 1;
     for (size_t i = 0; i < used.size(); ++i) {
-      if (used[i]) places.emplace_back((*layer)->points.row(static_cast<Eigen::Index>(i)).transpose());
+      if (used[i]) places.emplace_back(layer.points.row(static_cast<Eigen::Index>(i)).transpose());
     }
-  }
+  };
+  if (scene.panels) add(*scene.panels);
+  if (scene.ghost) add(*scene.ghost);
+  for (const FurtherLayer& further : scene.further) add(further.layer);
   for (const Marker& marker : scene.markers) places.push_back(marker.position);
   for (const Segment& segment : scene.segments) {
     places.push_back(segment.a);

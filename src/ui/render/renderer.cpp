@@ -16,12 +16,13 @@
 namespace planewright::render {
 namespace {
 
-constexpr float kPanelLine = 1.2f, kGhostLine = 1.0f;  // pixels
-constexpr float kSegmentLine[] = {3.0f, 3.5f, 4.0f};   // by Segment::Kind
-constexpr float kMarkerRadius[] = {2.9f, 3.3f, 4.6f};  // by Marker::Kind, pixels
-constexpr float kLeastRadius[] = {1.1f, 1.3f, 4.6f};   // where panels are small on the screen
-constexpr float kMarkerPart = 0.13f;                   // of an edge that a mark's radius may take
-constexpr float kThrough = 0.22f;                      // strength of marks behind geometry
+constexpr float kPanelLine = 1.2f, kGhostLine = 1.0f;        // pixels
+constexpr float kSegmentLine[] = {3.0f, 3.5f, 4.0f};         // by Segment::Kind
+constexpr float kMarkerRadius[] = {2.9f, 3.3f, 4.6f, 3.4f};  // by Marker::Kind, pixels
+constexpr float kLeastRadius[] = {1.1f, 1.3f, 4.6f, 2.6f};   // where panels are small on the screen
+constexpr float kSelectedTint = 0.30f;
+constexpr float kMarkerPart = 0.13f;  // of an edge that a mark's radius may take
+constexpr float kThrough = 0.22f;     // strength of marks behind geometry
 
 // What the shaders need to know of the camera and the rectangle that is drawn.
 struct Frame {
@@ -170,7 +171,12 @@ struct Renderer::Impl {
   GlVertexArray no_attributes;  // for what the shaders make from the vertex's number
   GlTexture map;
 
-  PanelBuffer panels, ghost;
+  PanelBuffer panels, ghost, selected;
+  struct SurfaceBuffer {
+    Surface surface;  // what the buffer was made from
+    PanelBuffer buffer;
+  };
+  std::vector<SurfaceBuffer> surfaces;
   std::shared_ptr<const GhostArrays> ghost_arrays;  // what `ghost` was made from
   LineBuffer ghost_lines;
   std::optional<GroundShadow> panel_shadow,
@@ -185,6 +191,7 @@ struct Renderer::Impl {
   void draw_shadow(const Frame& frame, const Palette& palette) const;
   void draw_ghost_faces(const Frame& frame, const Palette& palette) const;
   void draw_panels(const Frame& frame, const Palette& palette) const;
+  void draw_selected(const Frame& frame, const Palette& palette) const;
   void draw_ghost_lines(const Frame& frame, const Palette& palette) const;
   void draw_segments(const Frame& frame, const Palette& palette) const;
   void draw_markers(const Frame& frame, const Palette& palette);
@@ -269,8 +276,32 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
   glBindTexture(GL_TEXTURE_2D, map.get());
   begin_lying_back();
   panels.draw();
+  p.set("coloured", 0);
+  for (const SurfaceBuffer& further : surfaces) {
+    const bool beam = further.surface.tone == Tone::Beam;
+    p.set("card", beam                                       ? palette.beam
+                  : further.surface.tone == Tone::OtherLayer ? palette.other_card
+                                                             : palette.back_card);
+    p.set("edge", beam ? palette.beam_edge : palette.edge);
+    further.buffer.draw();
+  }
   glDisable(GL_POLYGON_OFFSET_FILL);
   glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+// A film over panels that are drawn already; nearer by what they lie back.
+void Renderer::Impl::draw_selected(const Frame& frame, const Palette& palette) const {
+  if (selected.empty()) return;
+  programs.ghost.use();
+  programs.ghost.set("view_projection", frame.view_projection);
+  programs.ghost.set("eye", frame.eye);
+  programs.ghost.set("tint", glm::vec4(palette.selected, kSelectedTint));
+  glEnable(GL_DEPTH_TEST);
+  glDepthMask(GL_FALSE);
+  glEnable(GL_BLEND);
+  selected.draw();
+  glDisable(GL_BLEND);
+  glDepthMask(GL_TRUE);
 }
 
 void Renderer::Impl::begin_lines(const Frame& frame) const {
@@ -394,10 +425,19 @@ void Renderer::set_scene(const Scene& scene) {
     set_ghost(nullptr);
   }
   if (const auto& layer = scene.panels) {
-    set_panels(make_panel_arrays(layer->points, layer->polygons), layer->polygon_values, layer->point_values);
+    const PanelArrays panels = make_panel_arrays(layer->points, layer->polygons);
+    set_panels(panels, layer->polygon_values, layer->point_values);
+    set_selected(triangles_of(panels, scene.selected));
   } else {
     set_panels({}, {}, {});
+    set_selected({});
   }
+  std::vector<Surface> surfaces;
+  for (const FurtherLayer& further : scene.further) {
+    surfaces.push_back({further.tone, std::make_shared<const PanelArrays>(
+                                          make_panel_arrays(further.layer.points, further.layer.polygons))});
+  }
+  set_surfaces(surfaces);
   set_markers(scene.markers, scene.segments);
   set_colours(scene.colours);
   check_gl("uploading the scene");
@@ -422,6 +462,22 @@ void Renderer::set_ghost(std::shared_ptr<const GhostArrays> ghost) {
   impl_->ghost_lines = ghost ? LineBuffer(ghost->lines) : LineBuffer();
   impl_->ghost_arrays = std::move(ghost);
   impl_->update_shadow();
+}
+
+void Renderer::set_surfaces(const std::vector<Surface>& surfaces) {
+  auto& buffers = impl_->surfaces;
+  buffers.resize(surfaces.size());
+  for (size_t i = 0; i < surfaces.size(); ++i) {
+    if (buffers[i].surface.arrays != surfaces[i].arrays) {
+      buffers[i].surface.arrays.reset();  // should an upload fail
+      buffers[i].buffer.set(*surfaces[i].arrays);
+    }
+    buffers[i].surface = surfaces[i];
+  }
+}
+
+void Renderer::set_selected(const PanelArrays& selected) {
+  impl_->selected.set(selected);
 }
 
 void Renderer::set_markers(const std::vector<Marker>& markers, const std::vector<Segment>& segments) {
@@ -470,6 +526,7 @@ void Renderer::draw(const Camera& camera, const Viewport& viewport, const Theme&
   impl_->draw_shadow(frame, palette);
   if (show_ghost) impl_->draw_ghost_faces(frame, palette);
   impl_->draw_panels(frame, palette);
+  impl_->draw_selected(frame, palette);
   if (show_ghost) impl_->draw_ghost_lines(frame, palette);
   impl_->draw_segments(frame, palette);
   impl_->draw_markers(frame, palette);

@@ -34,6 +34,11 @@ struct Viewport {
   bool fine = false;  // also the small things that only a still picture shows, for a third more time
 };
 
+struct Surface {
+  Tone tone;
+  std::shared_ptr<const PanelArrays> arrays;  // not null
+};
+
 class Renderer {
  public:
   // Compiles the shaders (embedded at build time; read from `shader_folder` when that is not empty, for live
@@ -50,6 +55,10 @@ class Renderer {
   void set_panel_values(const Vector& polygon_values, const Vector& point_values);
   // Null: none. Handing over the same object again costs nothing.
   void set_ghost(std::shared_ptr<const GhostArrays> ghost);
+  // Further surfaces, in plain card. One that is the same object as before in its place costs nothing.
+  void set_surfaces(const std::vector<Surface>& surfaces);
+  // Panels to be tinted as selected (triangles_of() the panels shown); without geometry: none.
+  void set_selected(const PanelArrays& selected);
   void set_markers(const std::vector<Marker>& markers, const std::vector<Segment>& segments);
   void set_colours(const std::optional<ColourScale>& colours);
 

@@ -23,9 +23,16 @@ struct PolygonLayer {
   Vector point_values;
 };
 
+// What is drawn besides the panels that are worked on: other layers, the other side of thick panels, beams.
+enum class Tone { OtherLayer, Back, Beam };
+struct FurtherLayer {
+  Tone tone;
+  PolygonLayer layer;  // in plain card of its tone; values are not drawn
+};
+
 struct Marker {
   Vector3d position;
-  enum class Kind { Warning, Error, Selected } kind;
+  enum class Kind { Warning, Error, Selected, Pinned } kind;
 };
 
 struct Segment {
@@ -43,6 +50,8 @@ struct ColourScale {
 
 struct Scene {
   std::optional<PolygonLayer> panels;
+  std::vector<int> selected;  // panels that are tinted, ascending
+  std::vector<FurtherLayer> further;
   std::optional<PolygonLayer> ghost;  // the input, drawn as a faint blue wire with a hint of faces
   std::vector<Marker> markers;
   std::vector<Segment> segments;

@@ -67,5 +67,22 @@ TEST(GhostArrays, HasEveryEdgeOnce) {
   EXPECT_EQ(ghost.faces.geometry->polygons, layer.polygons);
 }
 
+TEST(PanelArrays, TheTrianglesOfSomePolygonsAreThoseOfAll) {
+  PolygonLayer layer = two_squares();
+  const PanelArrays all = make_panel_arrays(layer.points, layer.polygons);
+  const PanelArrays second = triangles_of(all, {1});
+  ASSERT_TRUE(second.geometry);
+  EXPECT_EQ(second.geometry->vertex_count(), 6);
+  ASSERT_EQ(second.places.size(), 6u);
+  for (size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(second.geometry->corners[i], all.geometry->corners[6 + i]);
+    EXPECT_EQ(second.places[i].x, all.places[6 + i].x);
+    EXPECT_GE(second.places[i].x, 1.0f);
+    EXPECT_EQ(second.geometry->shapes[i].edge_mask, all.geometry->shapes[6 + i].edge_mask);
+  }
+  EXPECT_EQ(triangles_of(all, {}).geometry->vertex_count(), 0);
+  EXPECT_EQ(triangles_of({}, {0}).geometry, nullptr);
+}
+
 }  // namespace
 }  // namespace planewright::render

@@ -166,5 +166,72 @@ TEST(Picking, PointsBehindPanelsAreRefused) {
   EXPECT_FALSE(pick_point(layer.points, camera, {1, 1}, 5.0f, &layer));
 }
 
+// --- Areas -----------------------------------------------------------------------------------
+
+Camera above(const PolygonLayer& layer) {
+  Camera camera;
+  camera.set_viewport(400, 300);
+  camera.set_direction(-1.5707963, 1.55);
+  camera.fit(layer.points);
+  return camera;
+}
+
+TEST(Picking, ABoxTakesWhatIsWhollyInside) {
+  const PolygonLayer layer = two_squares();
+  const Camera camera = above(layer);
+  const glm::vec2 low = camera.project({-0.1, -0.1, 0}), middle = camera.project({1.1, 1.1, 0}),
+                  beside = camera.project({0.9, 1.1, 0}), high = camera.project({2.1, 1.1, 0});
+  EXPECT_EQ(polygons_in_box(layer, camera, low, middle), std::vector<int>{0});
+  EXPECT_EQ(polygons_in_box(layer, camera, middle, low), std::vector<int>{0}) << "whichever corner was first";
+  EXPECT_TRUE(polygons_in_box(layer, camera, low, beside).empty()) << "a part of it is not enough";
+  EXPECT_EQ(polygons_in_box(layer, camera, low, high), (std::vector<int>{0, 1}));
+  EXPECT_EQ(points_in_box(layer.points, camera, low, beside), (std::vector<int>{0, 3}));
+}
+
+TEST(Picking, WhatIsBehindTheEyeIsInNoBox) {
+  const PolygonLayer layer = cube();
+  Camera camera = above(layer);
+  camera.zoom(40.0, Vector3d(0, 0, 1));  // the eye is beneath the lid now, or just above it
+  camera.zoom(0.5, Vector3d(0, 0, -1));
+  for (const int i : points_in_box(layer.points, camera, {-1e6, -1e6}, {1e6, 1e6})) {
+    EXPECT_GT(camera.depth(layer.points.row(i).transpose()), 0.0);
+  }
+}
+
+TEST(Picking, InSightIsWhatARayMeetsFirst) {
+  const PolygonLayer layer = torus(24, 12);
+  Camera camera;
+  camera.set_viewport(600, 400);
+  camera.set_direction(-1.2, 0.5);
+  camera.fit(layer.points);
+  const auto seen = polygons_in_sight(layer, camera);
+  ASSERT_EQ(seen.size(), static_cast<size_t>(layer.polygons.size()));
+  std::vector<char> met(seen.size(), 0);
+  for (int y = 0; y < 400; y += 3) {
+    for (int x = 0; x < 600; x += 3) {
+      if (const auto hit =
+              pick_polygon(layer, camera.ray({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f}))) {
+        met[static_cast<size_t>(hit->polygon)] = 1;
+      }
+    }
+  }
+  int hidden = 0, differ = 0;
+  for (size_t i = 0; i < seen.size(); ++i) {
+    hidden += !seen[i];
+    EXPECT_TRUE(seen[i] || !met[i]) << "polygon " << i << " is met by a ray";
+    differ += seen[i] != met[i];
+  }
+  EXPECT_GT(hidden, layer.polygons.size() / 3);
+  EXPECT_LE(differ, 6) << "slivers at the silhouette, which the sparse rays miss";
+}
+
+TEST(Picking, WhatLiesBeneathIsNotInSight) {
+  PolygonLayer layer = unit_square();
+  layer.points.conservativeResize(8, 3);
+  layer.points.bottomRows(4) << 0.2, 0.2, -1, 0.8, 0.2, -1, 0.8, 0.8, -1, 0.2, 0.8, -1;
+  layer.polygons.push_back(std::array{4, 5, 6, 7});
+  EXPECT_EQ(polygons_in_sight(layer, above(layer)), (std::vector<char>{1, 0}));
+}
+
 }  // namespace
 }  // namespace planewright::render

@@ -476,5 +476,35 @@ TEST_F(RendererTest, ReadsShadersFromAFolderAndReloadsThem) {
   std::filesystem::remove_all(folder);
 }
 
+TEST_F(RendererTest, SelectedPanelsAreTintedAndTheOthersAreNot) {
+  Scene scene;
+  scene.panels = two_squares();
+  const PictureOptions options = from_above(scene);
+  const Image plain = drawn(scene, options);
+  scene.selected = {1};
+  const Image tinted = drawn(scene, options);
+  const Palette& palette = palette_of({});
+  EXPECT_LT(distance(at(tinted, options, {0.5, 0.4, 0}), at(plain, options, {0.5, 0.4, 0})), 0.005f);
+  const glm::vec3 before = at(plain, options, {1.5, 0.4, 0}), after = at(tinted, options, {1.5, 0.4, 0});
+  EXPECT_GT(distance(after, before), 0.08f);
+  EXPECT_LT(distance(after, palette.selected), distance(before, palette.selected));
+}
+
+TEST_F(RendererTest, FurtherLayersHaveTonesOfTheirOwnAndHideWhatIsBehind) {
+  Scene scene;
+  scene.panels = two_squares();
+  scene.further = {{Tone::OtherLayer, unit_square(0.5)}, {Tone::Beam, unit_square(-0.5)}};
+  const PictureOptions options = from_above(scene);
+  const Image image = drawn(scene, options);
+  const glm::vec3 other = at(image, options, {0.5, 0.4, 0.5}), own = at(image, options, {1.5, 0.4, 0});
+  EXPECT_LT(grey(other), grey(own) - 0.03f) << "quieter than the layer that is worked on";
+  EXPECT_GT(grey(other), 0.5f);
+  scene.further = {{Tone::Beam, unit_square(0.5)}};
+  const glm::vec3 beam = at(drawn(scene, options), options, {0.5, 0.4, 0.5});
+  EXPECT_LT(grey(beam), grey(other) - 0.2f) << "beams are dark";
+  scene.further.clear();
+  EXPECT_LT(distance(at(drawn(scene, options), options, {0.5, 0.4, 0}), own), 0.02f);
+}
+
 }  // namespace
 }  // namespace planewright::render
