@@ -19,6 +19,14 @@ std::string free_layer_name(const Design& design, const std::string& stem) {
   return stem + " " + std::to_string(number);
 }
 
+// Of what holds at another layer's place alone.
+void make_free(Layer& layer) {
+  layer.coplanar_with = -1;
+  layer.settings.demands.pins.clear();
+  layer.settings.demands.plane_pins.clear();
+  layer.settings.demands.waived.clear();
+}
+
 Selection* find_selection(Design& design, const std::string& name) {
   const auto found = std::find_if(design.selections.begin(), design.selections.end(),
                                   [&](const Selection& s) { return s.name == name; });
@@ -36,7 +44,7 @@ Design with_layer_added(Design design, int active, double mean_edge) {
     if (first.name == Layer{}.name) first.name = outside ? "outer" : "inner";
     Layer second = first;
     second.settings.offset = -first.settings.offset;
-    second.coplanar_with = -1;
+    make_free(second);
     second.name = free_layer_name(design, outside ? "inner" : "outer");
     design.layers.push_back(std::move(second));
     return design;
@@ -46,7 +54,7 @@ Design with_layer_added(Design design, int active, double mean_edge) {
   double farthest = 0.0;
   for (const Layer& layer : design.layers) farthest = std::max(farthest, sign * layer.settings.offset);
   next.settings.offset = sign * (farthest + step);
-  next.coplanar_with = -1;
+  make_free(next);
   next.name = free_layer_name(design, sign > 0.0 ? "outer" : "inner");
   design.layers.push_back(std::move(next));
   return design;

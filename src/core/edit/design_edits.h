@@ -16,7 +16,8 @@ inline constexpr double kNewLayerOffset = 0.3;
 
 // A layer like the first, on the other side of the design. To a single layer without offset both sides are
 // given kNewLayerOffset; the two are then named "outer" and "inner". Later ones lie beyond the farthest layer
-// of the active one's side. mean_edge: model units. The new layer is the last one.
+// of the active one's side. Pins stay with the layer that has them. mean_edge: model units. The new layer is
+// the last one.
 Design with_layer_added(Design design, int active, double mean_edge);
 // A copy of a layer at the end, named "... copy".
 Design with_layer_duplicated(Design design, int layer);

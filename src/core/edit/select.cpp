@@ -93,6 +93,61 @@ int element_count(const Selection& selection) {
   return static_cast<int>(selection.vertices.size() + selection.edges.size() + selection.faces.size());
 }
 
+Selection named_panels(const TangentComplex& complex, const std::vector<int>& panels) {
+  Selection out;
+  auto& list = complex.kind == ComplexKind::Dual ? out.vertices : out.faces;
+  for (const int panel : panels) list.push_back(complex.plane_origin[static_cast<std::size_t>(panel)]);
+  sort_unique(list);
+  return out;
+}
+
+Selection named_points(const TangentComplex& complex, const std::vector<int>& points) {
+  Selection out;
+  for (const int point : points) {
+    const PointOrigin origin = complex.point_origin[static_cast<std::size_t>(point)];
+    switch (origin.kind) {
+      case PointKind::Face:
+        out.faces.push_back(origin.element);
+        break;
+      case PointKind::BorderEdge:
+        out.edges.push_back(origin.element);
+        break;
+      case PointKind::Vertex:
+        out.vertices.push_back(origin.element);
+        break;
+      case PointKind::Corner:
+        break;
+    }
+  }
+  for (auto* list : {&out.vertices, &out.edges, &out.faces}) sort_unique(*list);
+  return out;
+}
+
+std::vector<int> panels_named(const TangentComplex& complex, const Selection& selection) {
+  const auto& list = complex.kind == ComplexKind::Dual ? selection.vertices : selection.faces;
+  std::vector<int> panels;
+  for (int i = 0; i < complex.plane_count() && !list.empty(); ++i) {
+    if (std::binary_search(list.begin(), list.end(), complex.plane_origin[static_cast<std::size_t>(i)])) {
+      panels.push_back(i);
+    }
+  }
+  return panels;
+}
+
+std::vector<int> points_named(const TangentComplex& complex, const Selection& selection) {
+  std::vector<int> points;
+  for (int j = 0; j < complex.point_count(); ++j) {
+    const PointOrigin origin = complex.point_origin[static_cast<std::size_t>(j)];
+    const std::vector<int>* list = nullptr;
+    if (origin.kind == PointKind::Face) list = &selection.faces;
+    if (origin.kind == PointKind::BorderEdge) list = &selection.edges;
+    if (origin.kind == PointKind::Vertex) list = &selection.vertices;
+    if (list != nullptr && std::binary_search(list->begin(), list->end(), origin.element))
+      points.push_back(j);
+  }
+  return points;
+}
+
 std::vector<int> edge_line(const PolygonMesh& mesh, int edge) {
   const MeshEdge first = mesh.edge(edge);
   if (first.border()) return border_loop(mesh, edge);
@@ -169,6 +224,19 @@ std::vector<int> border_edges(const PolygonMesh& mesh) {
     }
   }
   return all;
+}
+
+int mesh_edge_of(const PolygonMesh& mesh, const TangentComplex& complex, int panel_edge) {
+  const PanelEdge& edge = complex.panel_edges[static_cast<std::size_t>(panel_edge)];
+  const PointOrigin a = complex.point_origin[static_cast<std::size_t>(edge.a)];
+  const PointOrigin b = complex.point_origin[static_cast<std::size_t>(edge.b)];
+  if (complex.kind == ComplexKind::Planarize) return mesh.find_edge(a.element, b.element);
+  const auto [i, j] = complex.crossed_edge[static_cast<std::size_t>(panel_edge)];
+  if (i >= 0) return mesh.find_edge(i, j);
+  for (const PointOrigin& origin : {a, b}) {
+    if (origin.kind == PointKind::BorderEdge && origin.element < mesh.edge_count()) return origin.element;
+  }
+  return -1;
 }
 
 Selection along_border(const PolygonMesh& mesh, ComplexKind kind, SelectWhat what,

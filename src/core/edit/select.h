@@ -23,6 +23,15 @@ enum class Combine { Replace, Add, Remove };
 Selection combined(Selection base, const Selection& other, Combine how);
 int element_count(const Selection& selection);
 
+// The elements that panels, or points, of a complex are named by; none for corners of a dual, which their
+// panel's vertex stands for.
+Selection named_panels(const TangentComplex& complex, const std::vector<int>& panels);
+Selection named_points(const TangentComplex& complex, const std::vector<int>& points);
+// The panels, and the points, of a complex that a selection names itself, ascending. (A demand on a selected
+// panel holds for its points, too.)
+std::vector<int> panels_named(const TangentComplex& complex, const Selection& selection);
+std::vector<int> points_named(const TangentComplex& complex, const Selection& selection);
+
 // Edges straight on through the inner vertices of even valence, from one end of the line to the other; a line
 // that comes back to `edge` begins with it. A border edge gives its border loop.
 std::vector<int> edge_line(const PolygonMesh& mesh, int edge);
@@ -34,6 +43,10 @@ std::vector<int> face_strip(const PolygonMesh& mesh, int edge);
 std::vector<int> border_loop(const PolygonMesh& mesh, int edge);
 // Every border edge, loop after loop.
 std::vector<int> border_edges(const PolygonMesh& mesh);
+
+// The mesh edge that a panel edge lies on (planarize) or crosses (dual; for one along the border the border
+// edge that it runs along); -1 where the mesh has none, as it has changed since.
+int mesh_edge_of(const PolygonMesh& mesh, const TangentComplex& complex, int panel_edge);
 
 // What lies along border edges: panels that touch them with an edge (planarize) or a vertex of theirs (dual);
 // or the points on them.

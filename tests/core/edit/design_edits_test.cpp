@@ -23,6 +23,11 @@ TEST(DesignEdits, ASecondLayerLiesOnTheOtherSide) {
   EXPECT_DOUBLE_EQ(both.layers[1].settings.offset, 0.25);
   EXPECT_DOUBLE_EQ(both.layers[1].settings.weights.at("fairing"), 3.0);
 
+  inside.layers[0].settings.demands.pins = {{{PointKind::Face, 0}, {1.0, 2.0, 3.0}}};
+  const Design pinned = with_layer_added(inside, 0, 2.0);
+  EXPECT_EQ(pinned.layers[0].settings.demands.pins.size(), 1u);
+  EXPECT_TRUE(pinned.layers[1].settings.demands.pins.empty()) << "a pin holds one layer's point";
+
   Design named;
   named.layers[0].name = "roof";
   EXPECT_EQ(with_layer_added(named, 0, 1.0).layers[0].name, "roof");
