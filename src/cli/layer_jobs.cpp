@@ -152,8 +152,12 @@ Result<void> prepare_layers(LayerPlan& plan, const SolveCommandOptions& options,
     LayerJob& job = plan.jobs[k];
     LayerSettings& settings = job.layer.settings;
     settings.mode = mode;
-    for (const Steering* steering : {&plan.common, &job.steering})
-      if (auto steered = steer(*steering, settings); !steered) return steered;
+    if (auto steered = steer(plan.common, settings); !steered) return steered;
+    if (auto steered = steer(job.steering, settings); !steered) {
+      Error error = steered.error();
+      error.where = "--layers, layer '" + job.layer.name + "'";
+      return tl::unexpected(std::move(error));
+    }
     join_layers(job, static_cast<int>(k), plan.jobs.size());
     auto complex = build_complex(mesh, settings);
     if (!complex) return tl::unexpected(complex.error());

@@ -45,7 +45,7 @@ std::vector<Preset> make_presets() {
        "4.3",
        true,
        true,
-       {{"position", 1.0}, {"fairing", 0.3}},
+       {{"position", 1.0}, {"fairing", 0.1}},
        {}},
       // Figure 7: normal smoothness rounds, fairing gathers the curvature in creases.
       {"smooth-shell",

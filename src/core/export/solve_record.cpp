@@ -3,10 +3,12 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "core/base/version.h"
+#include "core/problem/constraint.h"
 
 namespace planewright {
 namespace {
@@ -60,7 +62,10 @@ Json demands_json(const Demands& demands) {
   Json list = Json::array();
   for (const Demand& demand : demands.list) {
     if (!demand.on) continue;
-    Json entry = {{"name", demand.name}, {"values", demand.values}};
+    Json values = Json::array();
+    for (const double value : demand.values)
+      values.push_back(std::abs(value) < kNoLimit ? Json(value) : Json());
+    Json entry = {{"name", demand.name}, {"values", values}};
     if (!demand.selection.empty()) entry["selection"] = demand.selection;
     list.push_back(std::move(entry));
   }

@@ -41,7 +41,7 @@ SolveRecord full_record() {
   record.settings.side = Side::Inside;
   record.settings.no_penetration = true;
   record.settings.demands.margin = 0.01;
-  record.settings.demands.list = {{"offset-band", true, "roof", {0.1, 0.5}}, {"face", false, {}, {}}};
+  record.settings.demands.list = {{"offset-band", true, "roof", {-1e20, 0.5}}, {"face", false, {}, {}}};
   record.settings.demands.pins = {{{PointKind::Vertex, 1}, {0.0, {}, {}}}};
   record.settings.demands.plane_pins = {{2, {}}, {3, {}}};
   record.settings.demands.waived = {{"face", {ElementKind::Panel, 6}}};
@@ -100,7 +100,7 @@ TEST(SolveRecord, JsonSaysEverything) {
   EXPECT_EQ(json["no_penetration"], true);
   EXPECT_EQ(json["margin"], 0.01);
   EXPECT_EQ(json["demands"],  // those that are on
-            Json::parse(R"([{"name": "offset-band", "values": [0.1, 0.5], "selection": "roof"}])"));
+            Json::parse(R"([{"name": "offset-band", "values": [null, 0.5], "selection": "roof"}])"));
   EXPECT_EQ(json["pins"], 1);
   EXPECT_EQ(json["plane_pins"], 2);
   EXPECT_FALSE(json.contains("layers") || json.contains("parallel_offset") || json.contains("beams"));
