@@ -56,7 +56,7 @@ inline double violation(const Problem& problem, const State& state, std::string_
 }
 
 // What a solve may still miss a demand by, mean edges.
-inline constexpr double kMet = 1e-8;
+inline constexpr double kMet = 1e-9;
 
 // Solves without and with the demands of `settings`: without, each of them is violated by more than `least`;
 // with, every one is met and the panels are planar. Returns the state with.

@@ -165,6 +165,85 @@ TEST(Dual, PanelsAndPlanesOfPointsAgree) {
   }
 }
 
+// The mesh edge that a panel edge crosses lies between the faces of its ends, the left one on the left.
+TEST(Dual, PanelEdgesNameTheMeshEdgeThatTheyCross) {
+  for (const Shape& shape : {icosahedron(), fan(6, true), domed_triangle_grid(4, 3), twisted_grid(3, 3),
+                             shape_of(make_sample("train-station", 100).value())})
+    for (const BorderPolicy border : {BorderPolicy::Closed, BorderPolicy::Interior}) {
+      const PolygonMesh mesh = shape.mesh();
+      const auto built = build_dual(mesh, {0.0, border});
+      if (!built) continue;  // no inner vertex
+      const TangentComplex& complex = *built;
+      ASSERT_EQ(complex.crossed_edge.size(), complex.panel_edges.size());
+      std::set<int> crossed;
+      for (size_t e = 0; e < complex.panel_edges.size(); ++e) {
+        const PanelEdge& edge = complex.panel_edges[e];
+        const auto [i, j] = complex.crossed_edge[e];
+        const PointKind kinds[] = {complex.point_origin[edge.a].kind, complex.point_origin[edge.b].kind};
+        if (kinds[0] == PointKind::Corner || kinds[1] == PointKind::Corner) {  // along the border
+          EXPECT_EQ(i, -1);
+          EXPECT_EQ(j, -1);
+          continue;
+        }
+        const int found = mesh.find_edge(i, j);
+        ASSERT_GE(found, 0);
+        EXPECT_TRUE(crossed.insert(found).second);
+        if (edge.left >= 0) {
+          EXPECT_EQ(complex.plane_origin[edge.left], i);
+        }
+        if (edge.right >= 0) {
+          EXPECT_EQ(complex.plane_origin[edge.right], j);
+        }
+        // b on the left of i -> j, a on the right; the border point stands for the face that is not there.
+        MeshEdge across = mesh.edge(found);
+        if (across.a != i) std::swap(across.left, across.right);
+        for (const auto& [point, face] : {std::pair(edge.b, across.left), std::pair(edge.a, across.right)}) {
+          const PointOrigin expected =
+              face >= 0 ? PointOrigin{PointKind::Face, face} : PointOrigin{PointKind::BorderEdge, found};
+          EXPECT_EQ(complex.point_origin[point], expected);
+        }
+      }
+      for (int e = 0; e < mesh.edge_count(); ++e) {
+        const auto has_panel = [&](int v) {
+          return border == BorderPolicy::Closed || !mesh.is_border_vertex(v);
+        };
+        EXPECT_EQ(crossed.contains(e), has_panel(mesh.edge(e).a) || has_panel(mesh.edge(e).b)) << e;
+      }
+    }
+}
+
+TEST(Dual, PointsNameTheirFace) {
+  const PolygonMesh mesh = domed_triangle_grid(4, 3).mesh();
+  const TangentComplex complex = build_dual(mesh).value();
+  for (int j = 0; j < complex.point_count(); ++j) {
+    const PointOrigin origin = complex.point_origin[j];
+    int face = -1;
+    if (origin.kind == PointKind::Face) face = origin.element;
+    if (origin.kind == PointKind::BorderEdge)
+      face = std::max(mesh.edge(origin.element).left, mesh.edge(origin.element).right);
+    EXPECT_EQ(complex.face_of_point[j], face);
+  }
+}
+
+TEST(Dual, KeepsTheMeshAsItsInput) {
+  const Shape shape = twisted_grid(3, 2);
+  const PolygonMesh mesh = shape.mesh();
+  for (const TangentComplex& complex : {build_dual(mesh).value(), *planarize_of(mesh)}) {
+    const InputSurface& input = complex.input;
+    EXPECT_NEAR((input.vertices.rowwise() + complex.origin.transpose() - shape.positions).norm(), 0.0, 1e-14);
+    EXPECT_EQ(input.faces, shape.faces);
+    ASSERT_EQ(static_cast<int>(input.edges.size()), mesh.edge_count());
+    for (int e = 0; e < mesh.edge_count(); ++e)
+      EXPECT_EQ(input.edges[static_cast<size_t>(e)], (std::array{mesh.edge(e).a, mesh.edge(e).b}));
+    for (int f = 0; f < mesh.face_count(); ++f)
+      EXPECT_NEAR((input.face_normals.row(f).transpose() -
+                   newell_vector(shape.positions, shape.faces[f]).normalized())
+                      .norm(),
+                  0.0, 1e-14);
+    EXPECT_NEAR((input.vertex_normals.rowwise().norm().array() - 1.0).abs().maxCoeff(), 0.0, 1e-14);
+  }
+}
+
 TEST(Dual, InteriorPolicyMakesPanelsOfInnerVerticesAlone) {
   const PolygonMesh mesh = domed_triangle_grid(4, 3).mesh();
   const TangentComplex complex = build_dual(mesh, {0.0, BorderPolicy::Interior}).value();
