@@ -7,6 +7,9 @@
 #include <cctype>
 #include <utility>
 
+#include "ui/layer_edits.h"
+#include "ui/format.h"
+
 namespace planewright::ui {
 
 const std::vector<ActionInfo>& action_list() {
@@ -153,6 +156,12 @@ void Actions::apply_requested() {
 void Actions::set_mode(ComplexKind mode) {
   LayerSettings settings = state_.document().settings();
   settings.mode = mode;
+  const int off = switch_off_undefined(settings);
+  if (off > 0) {
+    state_.post(Message::Kind::Info,
+                format_count(off, "demand means", "demands mean") + " nothing in this mode and " +
+                    (off == 1 ? "is" : "are") + " off");
+  }
   state_.change_settings(std::move(settings), mode == ComplexKind::Dual ? "Mode dual" : "Mode planarize");
 }
 
@@ -279,6 +288,41 @@ void show_finding(AppState& state, WindowState& window, int point) {
   state.selected_panel.reset();
   window.right_tab = 0;
   window.look_at = LookAt{shown->points.row(point).transpose(), 5.0 * shown->complex().mean_edge};
+}
+
+void show_element(AppState& state, WindowState& window, const ElementRef& element) {
+  const auto& shown = state.shown();
+  if (!shown || element.index < 0) return;
+  const TangentComplex& complex = shown->complex();
+  const auto point = [&](int j) -> Vector3d { return shown->points.row(j).transpose(); };
+  Vector3d place = Vector3d::Zero();
+  switch (element.kind) {
+    case ElementKind::Point:
+      if (element.index >= complex.point_count()) return;
+      place = point(element.index);
+      state.selected_panel.reset();
+      state.selected_point = element.index;
+      break;
+    case ElementKind::Panel: {
+      if (element.index >= complex.panels.size()) return;
+      const auto corners = complex.panels[element.index];
+      if (corners.empty()) return;
+      for (const int j : corners) place += point(j) / static_cast<double>(corners.size());
+      state.selected_point.reset();
+      state.selected_panel = element.index;
+      break;
+    }
+    case ElementKind::PanelEdge: {
+      if (element.index >= static_cast<int>(complex.panel_edges.size())) return;
+      const PanelEdge& edge = complex.panel_edges[static_cast<std::size_t>(element.index)];
+      place = 0.5 * (point(edge.a) + point(edge.b));
+      state.selected_point.reset();
+      state.selected_panel = edge.left >= 0 ? edge.left : edge.right;
+      break;
+    }
+  }
+  window.right_tab = 0;
+  window.look_at = LookAt{place, 5.0 * complex.mean_edge};
 }
 
 }  // namespace planewright::ui

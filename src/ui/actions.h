@@ -85,5 +85,8 @@ class Actions {
 
 // Selects an ill-determined point and looks at it.
 void show_finding(AppState& state, WindowState& window, int point);
+// Selects what an element of the shown panels is and looks at it: a point, a panel, or the panel beside an
+// edge. Elements that the shown panels do not have are left alone.
+void show_element(AppState& state, WindowState& window, const ElementRef& element);
 
 }  // namespace planewright::ui

@@ -2,22 +2,11 @@
 #include <array>
 #include <cmath>
 
-#include "core/problem/energies/energy_catalogue.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 
 namespace planewright::ui {
 namespace {
-
-// The part of the objective that an energy makes up; < 0 when that is not known.
-double share_of(const AppState& state, const std::string& energy) {
-  double total = 0, own = -1;
-  for (const SolveReport::Energy& e : state.energies()) {
-    total += std::abs(e.value);
-    if (e.name == energy) own = std::abs(e.value);
-  }
-  return own < 0 ? -1 : total > 0 ? own / total : 0;
-}
 
 void draw_input(Desk& desk) {
   Ui& ui = desk.ui;
@@ -36,39 +25,15 @@ void draw_input(Desk& desk) {
                                       format_count(document.mesh()->face_count()));
 }
 
-void draw_weights(Desk& desk) {
-  Ui& ui = desk.ui;
-  AppState& state = desk.state;
-  for (const EnergyInfo& energy : energy_catalogue()) {
-    LayerSettings settings = state.document().settings();
-    double& weight = settings.weights[energy.name];
-    const std::string about = energy.description +
-                              " Weight 1 means the same on every model; right of it stronger. "
-                              "Drag, turn the wheel, double click to reset, Ctrl click to type.";
-    const Edit edit = ui.weight("weight " + energy.name, energy.label, weight, energy.default_weight,
-                                share_of(state, energy.name), about);
-    if (edit.changed) {
-      std::string what = "Weight of " + energy.name;
-      state.change_settings(std::move(settings), std::move(what), "weight " + energy.name);
-    }
-    if (edit.finished) state.end_merge();
-  }
-}
-
 void draw_freedom(Desk& desk) {
   Ui& ui = desk.ui;
   AppState& state = desk.state;
   LayerSettings settings = state.document().settings();
 
-  double step = 0.01;
-  if (state.mesh_view()) {
-    // One pixel is about a thousandth of the model, as a round number.
-    const double size = (state.mesh_view()->high - state.mesh_view()->low).norm();
-    if (size > 0) step = std::pow(10.0, std::floor(std::log10(size / 1000)));
-  }
-  const Edit edit = ui.length("offset", "Offset", settings.offset, step, desk.window.settings.unit,
-                              "Wanted distance of the panels from the design, along its normals. "
-                              "Drag, turn the wheel, double click for 0, Ctrl click to type.");
+  const Edit edit =
+      ui.length("offset", "Offset", settings.offset, length_step(desk), desk.window.settings.unit,
+                "Wanted distance of the panels from the design, along its normals. "
+                "Drag, turn the wheel, double click for 0, Ctrl click to type.");
   if (edit.changed) state.change_settings(settings, "Offset", "offset");
   if (edit.finished) state.end_merge();
 
@@ -119,37 +84,47 @@ void draw_solve(Desk& desk) {
   bool automatic = state.auto_solve();
   if (ui.checkbox("auto", "Solve at every change", automatic)) desk.actions.request(Action::AutoSolve);
 
-  ui.gap(4);
+  // How the solve stands, in two lines whatever happens, so that nothing jumps.
   const SolveReport* report = state.report();
   const auto& history = state.history();
-  if (solving && !history.empty()) {
-    ui.value_row("Step", format_count(history.back().number));
-    ui.value_row("Time", format_duration(history.back().seconds));
+  if (solving) {
+    const bool stepped = !history.empty();
+    ui.value_row("Solving", stepped ? "step " + format_count(history.back().number) : "…");
+    ui.value_row("Time", stepped ? format_duration(history.back().seconds) : "…");
   } else if (report != nullptr) {
-    ui.value_row("Solver", capitalised(report->solver));
-    ui.value_row("Result", name(report->status),
-                 report->status == SolveStatus::Converged ? ui.colours().good : ui.colours().warning,
+    const bool good = report->status == SolveStatus::Converged;
+    ui.value_row("Result", name(report->status), good ? ui.colours().good : ui.colours().warning,
                  report->stop_reason);
-    ui.value_row("Steps, time", format_count(report->iterations) + ", " + format_duration(report->seconds));
+    if (state.up_to_date()) {
+      ui.value_row("Steps, time", format_count(report->iterations) + ", " + format_duration(report->seconds));
+    } else {
+      ui.value_row("What is shown", "is older than the design", ui.colours().warning);
+    }
+  } else {
+    ui.value_row("Result", "–");
+    ui.value_row("Steps, time", "–");
   }
-  if (const double ms = state.milliseconds_per_step(); ms > 0)
-    ui.value_row("Per step", format_duration(ms / 1000));
-  if (const auto& shown = state.shown()) {
-    const bool planar = shown->planarity.max <= state.planarity_tolerance();
-    ui.value_row("Planarity", format_with_unit(shown->planarity.max, desk.window.settings.unit),
-                 planar ? ui.colours().good : ui.colours().ink,
-                 "The greatest distance of a corner from the plane of its panel");
-  }
-  if (!state.up_to_date() && !solving) {
-    ui.wrapped("The design has changed since; what is shown is older.", ui.colours().warning, true);
-  }
+}
+
+float solve_height(const Ui& ui) {
+  const float spacing = ImGui::GetStyle().ItemSpacing.y;
+  return 2 * (ImGui::GetFrameHeight() + spacing) + 2 * (ImGui::GetTextLineHeight() + ui.px(3)) + ui.px(14);
 }
 
 }  // namespace
 
+double length_step(const Desk& desk) {
+  if (!desk.state.mesh_view()) return 0.01;
+  const double size = (desk.state.mesh_view()->high - desk.state.mesh_view()->low).norm();
+  return size > 0 ? std::pow(10.0, std::floor(std::log10(size / 1000))) : 0.01;
+}
+
 void draw_design_panel(Desk& desk, const Rect& place) {
   Ui& ui = desk.ui;
-  if (!begin_part("##design", place, ImVec2(ui.px(14), ui.px(10)))) return;
+  if (!begin_part("##design", place, ImVec2(ui.px(14), ui.px(10)),
+                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    return;
+  }
   const Ui::Scope scope(ui, "Design");
   AppState& state = desk.state;
   if (state.document().empty()) {
@@ -174,10 +149,29 @@ void draw_design_panel(Desk& desk, const Rect& place) {
     if (ui.segmented("mode", kModes, mode, kAbout)) {
       desk.actions.request(mode == 0 ? Action::ModeDual : Action::ModePlanarize);
     }
-    if (ui.section("input", "Input")) draw_input(desk);
+    draw_presets(desk);
+    // Everything scrolls but the solve, which is always at hand.
+    const float solve = solve_height(ui);
+    ImGui::BeginChild("sections", ImVec2(ImGui::GetContentRegionAvail().x + ui.px(10),
+                                         std::max(ImGui::GetContentRegionAvail().y - solve, ui.px(80))));
+    const HealthReport& health = state.document().health();
+    const bool healthy = health.healthy();
+    if (ui.section("input", "Input", false, healthy ? "healthy" : "repaired",
+                   healthy ? ui.colours().good : ui.colours().warning)) {
+      draw_input(desk);
+    }
     if (ui.section("weights", "Weights")) draw_weights(desk);
+    const DemandSummary summary = demand_summary(desk);
+    if (ui.section("demands", "Demands", true, summary.text, summary.colour)) draw_demands(desk);
     if (ui.section("planes", "Planes")) draw_freedom(desk);
-    if (ui.section("solve", "Solve")) draw_solve(desk);
+    ImGui::EndChild();
+    const ImVec2 line = ImGui::GetCursorScreenPos();
+    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    draw.PushClipRect(place.min, place.max);
+    draw.AddLine(ImVec2(place.min.x, line.y + 0.5f), ImVec2(place.max.x, line.y + 0.5f), ui.colours().line);
+    draw.PopClipRect();
+    ui.gap(12);
+    draw_solve(desk);
   }
   draw_rim(ui, place, Side::Right);
   end_part();

@@ -33,10 +33,27 @@ void draw_hint(Desk& desk, const Rect& viewport);      // what to try at first
 void draw_messages(Desk& desk, const Rect& viewport);  // errors and notices; they wait for nobody
 void draw_help_cards(Desk& desk);                      // keys, timings, about
 
+// The sections of the left panel, one file each.
+void draw_presets(Desk& desk);
+void draw_weights(Desk& desk);
+void draw_demands(Desk& desk);
+// One word on all demands, for the section's title.
+struct DemandSummary {
+  std::string text;
+  ImU32 colour;
+};
+DemandSummary demand_summary(const Desk& desk);
+// What a pixel of a drag changes a length by: about a thousandth of the model, as a round number.
+double length_step(const Desk& desk);
+
 // The two halves of the right panel that other parts do not need to know.
 void draw_energy_table(Desk& desk);
 void draw_report(Desk& desk);
 void draw_selection(Desk& desk);
+void draw_pins(Desk& desk);
+// The layers in the left panel, and one line on them for the section's title.
+void draw_layers(Desk& desk);
+std::string layers_summary(const Desk& desk);
 
 // An opaque, fixed window in which a part is drawn; false if it is too small to bother.
 bool begin_part(const char* name, const Rect& place, ImVec2 padding, ImGuiWindowFlags flags = 0);

@@ -11,6 +11,8 @@
 #include <sstream>
 #include <utility>
 
+#include "ui/layer_edits.h"
+
 namespace planewright::ui {
 namespace {
 
@@ -95,6 +97,55 @@ std::u32string decode(const std::string& utf8) {
   return out;
 }
 
+// demand.NAME: on or off; demand.NAME.PARAMETER; and of the report: violation.NAME, violated.NAME, rows.NAME.
+std::optional<std::string> demand_value(const AppState& state, const std::string& key) {
+  const std::size_t dot = key.find('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const std::string what = key.substr(0, dot);
+  std::string name = key.substr(dot + 1);
+  if (what == "violation" || what == "violated" || what == "rows") {
+    if (state.report() == nullptr) return "none";
+    for (const SolveReport::Constraint& c : state.report()->constraints) {
+      if (c.name != name) continue;
+      return text_of(what == "rows" ? c.rows : what == "violated" ? c.violated : c.max_violation);
+    }
+    return "none";
+  }
+  if (what != "demand") return std::nullopt;
+  const Demands& demands = state.document().settings().demands;
+  std::string parameter_name;
+  if (const std::size_t second = name.find('.'); second != std::string::npos) {
+    parameter_name = name.substr(second + 1);
+    name.erase(second);
+  }
+  const auto info = find_demand(name);
+  if (!info) return std::nullopt;
+  if (parameter_name.empty()) return is_on(demands, name) ? "1" : "0";
+  const auto entries = entries_of(demands, name);
+  const Demand entry = entries.empty() ? Demand{} : demands.list[entries.front()];
+  if (parameter_name == "where") return entry.selection;
+  for (std::size_t k = 0; k < (*info)->parameters.size(); ++k) {
+    if ((*info)->parameters[k].name != parameter_name) continue;
+    const double value = parameter(**info, entry, k);
+    return std::abs(value) >= kNoLimit ? "none" : text_of(value);
+  }
+  return std::nullopt;
+}
+
+// share.NAME, value.NAME: what an energy adds to the objective.
+std::optional<std::string> energy_value(const AppState& state, const std::string& key) {
+  const bool share = key.starts_with("share.");
+  if (!share && !key.starts_with("value.")) return std::nullopt;
+  double total = 0;
+  std::optional<double> own;
+  for (const SolveReport::Energy& energy : state.energies()) {
+    total += energy.value;
+    if (energy.name == key.substr(6)) own = energy.value;
+  }
+  if (!own) return "none";
+  return text_of(share ? *own / total : *own);
+}
+
 const std::vector<std::string>& state_keys() {
   static const std::vector<std::string> keys = {"document",
                                                 "vertices",
@@ -104,6 +155,13 @@ const std::vector<std::string>& state_keys() {
                                                 "offset",
                                                 "freedom",
                                                 "border",
+                                                "preset",
+                                                "margin",
+                                                "side",
+                                                "never_touch",
+                                                "crossings",
+                                                "conflicts",
+                                                "waived",
                                                 "revision",
                                                 "ticket",
                                                 "solving",
@@ -164,6 +222,21 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
     const auto found = document.settings().weights.find(key.substr(7));
     return text_of(found == document.settings().weights.end() ? 0.0 : found->second);
   }
+  if (auto of_demand = demand_value(state, key)) return of_demand;
+  if (auto of_energy = energy_value(state, key)) return of_energy;
+  if (key == "preset") {
+    const Preset* preset = present_preset(document.settings());
+    return preset != nullptr ? preset->name : "custom";
+  }
+  if (key == "never_touch") {
+    const Switch now = never_touch(document.settings());
+    return std::string(now == Switch::On ? "on" : now == Switch::Off ? "off" : "mixed");
+  }
+  if (key == "margin") return text_of(document.settings().demands.margin);
+  if (key == "side") return count(static_cast<int>(document.settings().side));
+  if (key == "waived") return count(document.settings().demands.waived.size());
+  if (key == "conflicts") return count(state.report() != nullptr ? state.report()->conflicts.size() : 0);
+  if (key == "crossings") return count(state.report() != nullptr ? state.report()->crossings : -1);
   if (key.starts_with("edge.")) {
     const auto index = number_in(key.substr(5));
     if (!index || document.empty() || *index < 0 || *index >= document.mesh()->edge_count())

@@ -79,9 +79,9 @@ constexpr ImWchar kTextRanges[] = {0x0020, 0x00FF, 0x0370, 0x03FF, 0x2010, 0x202
                                    0x221E, 0x221E, 0x2248, 0x2248, 0x2264, 0x2265, 0};
 // FontAwesome 4.7, the icons below.
 constexpr ImWchar kIconRanges[] = {0xF00C, 0xF00D, 0xF015, 0xF016, 0xF019, 0xF01E, 0xF021, 0xF021,
-                                   0xF043, 0xF043, 0xF04B, 0xF04D, 0xF057, 0xF05A, 0xF065, 0xF06E,
-                                   0xF071, 0xF071, 0xF07B, 0xF07C, 0xF093, 0xF093, 0xF0E2, 0xF0E2,
-                                   0xF105, 0xF107, 0xF148, 0xF148, 0};
+                                   0xF043, 0xF043, 0xF04B, 0xF04D, 0xF057, 0xF05B, 0xF065, 0xF071,
+                                    0xF07B, 0xF07C, 0xF08D, 0xF08D, 0xF093, 0xF093, 0xF0C5, 0xF0C5, 0xF0E2, 0xF0E2,
+                                   0xF105, 0xF107, 0xF148, 0xF148, 0xF1F8, 0xF1F8, 0};
 
 const char* icon_text(Icon icon) {
   switch (icon) {
@@ -129,6 +129,18 @@ const char* icon_text(Icon icon) {
       return "\uF105";
     case Icon::Restart:
       return "\uF021";
+    case Icon::Target:
+      return "\uF05B";
+    case Icon::Hidden:
+      return "\uF070";
+    case Icon::Add:
+      return "\uF067";
+    case Icon::Copy:
+      return "\uF0C5";
+    case Icon::Remove:
+      return "\uF1F8";
+    case Icon::Pin:
+      return "\uF08D";
   }
   return "";
 }

@@ -35,6 +35,12 @@ enum class Icon {
   ChevronDown,
   ChevronRight,
   Restart,
+  Target,
+  Hidden,
+  Add,
+  Copy,
+  Remove,
+  Pin,
 };
 
 struct Palette {

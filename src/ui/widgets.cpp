@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 
+#include "core/problem/constraint.h"
 #include "ui/format.h"
 #include "ui/weight_scale.h"
 
@@ -20,6 +22,7 @@ const char* end_of(std::string_view text) {
 }
 
 ImVec2 text_size(ImFont* font, std::string_view text) {
+  if (text.empty()) return {0.0f, font->FontSize};  // a null pointer would be read as a C string
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.data(), end_of(text));
 }
 
@@ -36,10 +39,22 @@ bool parse_number(const char* text, double& value) {
   return true;
 }
 
+// As a designer would type it: small numbers that have a short decimal form are written so.
+std::string format_entry(double value) {
+  const double size = std::abs(value);
+  if (!(size >= 1e-5 && size < 1e-3)) return format_number(value);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.7f", value);
+  std::string shorter(text);
+  shorter.erase(shorter.find_last_not_of('0') + 1);
+  return shorter;
+}
+
 }  // namespace
 
 void draw_text_aligned(ImDrawList& draw, ImFont* font, ImVec2 min, ImVec2 max, float align, ImU32 colour,
                        std::string_view text) {
+  if (text.empty()) return;
   const ImVec2 size = text_size(font, text);
   const ImVec2 at(std::round(min.x + align * (max.x - min.x - size.x)),
                   std::round(0.5f * (min.y + max.y - size.y)));
@@ -104,8 +119,8 @@ void Ui::record_item(std::string_view name, bool enabled) {
 
 bool Ui::button(std::string_view name, std::string_view label, const ButtonLook& look) {
   const std::string icon = look.has_icon ? theme_.icon(look.icon) : "";
-  const float height = ImGui::GetFrameHeight();
-  const ImVec2 padding = ImGui::GetStyle().FramePadding;
+  const float height = look.small ? px(18) : ImGui::GetFrameHeight();
+  const ImVec2 padding = look.small ? ImVec2(0, 0) : ImGui::GetStyle().FramePadding;
   const float icon_width = icon.empty() ? 0.0f : ImGui::CalcTextSize(icon.c_str()).x;
   const float label_width = label.empty() ? 0.0f : ImGui::CalcTextSize(label.data(), end_of(label)).x;
   const float between = icon.empty() || label.empty() ? 0.0f : px(6);
@@ -142,6 +157,7 @@ bool Ui::button(std::string_view name, std::string_view label, const ButtonLook&
     }
     if (hovered && !look.active) fill = p.hovered;
     if (held) fill = p.pressed;
+    if (look.small && !hovered) ink = p.ink_faint;
   }
   if (!look.enabled) {
     ink = p.ink_faint;
@@ -207,13 +223,19 @@ bool Ui::segmented(std::string_view name, std::span<const std::string> labels, i
 }
 
 bool Ui::checkbox(std::string_view name, std::string_view label, bool& value, std::string_view tooltip) {
+  const bool pressed = checkbox_mixed(name, label, value, false);
+  if (!tooltip.empty()) tooltip_if_hovered(tooltip);
+  return pressed;
+}
+
+bool Ui::checkbox_mixed(std::string_view name, std::string_view label, bool& value, bool mixed) {
   const float height = ImGui::GetFrameHeight();
   const float box = std::round(px(17));
   const float width = box + px(8) + ImGui::CalcTextSize(label.data(), end_of(label)).x;
   ImGui::PushID(name.data(), end_of(name));
   const bool pressed = ImGui::InvisibleButton("checkbox", ImVec2(width, height));
   ImGui::PopID();
-  if (pressed) value = !value;
+  if (pressed) value = mixed || !value;
   const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
   record(name, min, max);
   const Palette& p = colours();
@@ -221,35 +243,58 @@ bool Ui::checkbox(std::string_view name, std::string_view label, bool& value, st
   const ImVec2 a(min.x, std::round(0.5f * (min.y + max.y - box)));
   const ImVec2 b(a.x + box, a.y + box);
   const float rounding = px(3);
-  draw.AddRectFilled(a, b, value ? p.accent : ImGui::IsItemHovered() ? p.hovered : p.raised, rounding);
-  draw.AddRect(a, b, value ? p.accent : p.ink_faint, rounding);
-  if (value) ImGui::RenderCheckMark(&draw, ImVec2(a.x + px(3.5f), a.y + px(3.5f)), p.on_accent, box - px(7));
+  const bool filled = value && !mixed;
+  draw.AddRectFilled(a, b, filled ? p.accent : ImGui::IsItemHovered() ? p.hovered : p.raised, rounding);
+  draw.AddRect(a, b, filled || mixed ? p.accent : p.ink_faint, rounding);
+  if (filled) {
+    ImGui::RenderCheckMark(&draw, ImVec2(a.x + px(3.5f), a.y + px(3.5f)), p.on_accent, box - px(7));
+  } else if (mixed) {
+    const float y = std::round(0.5f * (a.y + b.y));
+    draw.AddRectFilled(ImVec2(a.x + px(4), y - px(1)), ImVec2(b.x - px(4), y + px(1)), p.accent);
+  }
   draw_text_aligned(draw, theme_.regular(), ImVec2(b.x + px(8), min.y), max, 0.0f, p.ink, label);
-  if (!tooltip.empty()) tooltip_if_hovered(tooltip);
   return pressed;
+}
+
+void Ui::help(std::string_view name, std::string_view text) {
+  const float size = px(15), height = ImGui::GetFrameHeight();
+  ImGui::PushID(name.data(), end_of(name));
+  ImGui::InvisibleButton("help", ImVec2(size, height));
+  ImGui::PopID();
+  const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
+  record(name, min, max);
+  const bool hovered = ImGui::IsItemHovered();
+  draw_help(ImVec2(0.5f * (min.x + max.x), 0.5f * (min.y + max.y)), hovered);
+  tooltip_if_hovered(text);
+}
+
+void Ui::draw_help(ImVec2 middle, bool hovered) const {
+  const float radius = px(6);
+  const ImVec2 at(std::round(middle.x), std::round(middle.y));
+  const ImU32 ink = hovered ? colours().accent : colours().ink_faint;
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  draw.AddCircle(ImVec2(at.x, at.y), radius, with_alpha(ink, hovered ? 1.0f : 0.55f), 20);
+  ImFont* font = theme_.small();
+  const float small = std::round(px(10.5f));
+  const ImVec2 size = font->CalcTextSizeA(small, FLT_MAX, 0.0f, "?");
+  draw.AddText(font, small, ImVec2(at.x - 0.5f * size.x + px(0.5f), at.y - 0.5f * size.y), ink, "?");
 }
 
 void Ui::label_cell(std::string_view label, std::string_view tooltip) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 max(at.x + label_width(), at.y + ImGui::GetFrameHeight());
   draw_text_aligned(*ImGui::GetWindowDrawList(), theme_.regular(), at, max, 0.0f, colours().ink_soft, label);
-  if (!tooltip.empty() && ImGui::IsMouseHoveringRect(at, max) && ImGui::IsWindowHovered()) {
-    tooltip_if_hovered({});
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(7)));
-    ImGui::BeginTooltip();
-    ImGui::PushTextWrapPos(px(280));
-    ImGui::TextUnformatted(tooltip.data(), end_of(tooltip));
-    ImGui::PopTextWrapPos();
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
-  }
+  if (!tooltip.empty() && ImGui::IsMouseHoveringRect(at, max) && ImGui::IsWindowHovered())
+    this->tooltip(tooltip);
 }
 
 bool Ui::choice(std::string_view name, std::string_view label, std::span<const std::string> items,
-                int& current, std::string_view tooltip) {
+                int& current, std::string_view tooltip, std::span<const std::string> item_tooltips) {
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  label_cell(label, tooltip);
-  ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(), origin.y));
+  if (!label.empty()) {
+    label_cell(label, tooltip);
+    ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(), origin.y));
+  }
   ImGui::SetNextItemWidth(-FLT_MIN);
   ImGui::PushID(name.data(), end_of(name));
   bool changed = false;
@@ -266,6 +311,7 @@ bool Ui::choice(std::string_view name, std::string_view label, std::span<const s
         changed = true;
       }
       record_item(std::string(name) + "/" + items[i]);
+      if (i < item_tooltips.size()) tooltip_if_hovered(item_tooltips[i]);
       if (selected && ImGui::IsWindowAppearing()) ImGui::SetItemDefaultFocus();
     }
     ImGui::EndCombo();
@@ -279,10 +325,12 @@ void Ui::begin_typing(ImGuiID id, double value) {
   typing_id_ = id;
   typing_begins_ = true;
   std::fill(std::begin(typed_), std::end(typed_), '\0');
+  if (std::abs(value) >= kNoLimit) return;
   std::to_chars(typed_, typed_ + sizeof typed_ - 1, value);
 }
 
-bool Ui::typing_field(const char* id_text, ImVec2 position, float width, double& value, bool& changed) {
+bool Ui::typing_field(const char* id_text, ImVec2 position, float width, double& value, bool& changed,
+                      double none) {
   ImGui::SetCursorScreenPos(position);
   ImGui::SetNextItemWidth(width);
   if (typing_begins_) ImGui::SetKeyboardFocusHere();
@@ -294,7 +342,9 @@ bool Ui::typing_field(const char* id_text, ImVec2 position, float width, double&
   typing_begins_ = false;
   if (!entered && !left) return false;
   double parsed = value;
-  if (!escaped && parse_number(typed_, parsed) && parsed != value) {
+  const bool emptied = none != 0 && typed_[std::strspn(typed_, " ")] == '\0';
+  if (emptied) parsed = none;
+  if (!escaped && (emptied || parse_number(typed_, parsed)) && parsed != value) {
     value = parsed;
     changed = true;
   }
@@ -312,52 +362,63 @@ void Ui::finish_wheel(ImGuiID id, bool hovered, Edit& edit) {
 
 Edit Ui::length(std::string_view name, std::string_view label, double& value, double per_pixel,
                 std::string_view unit, std::string_view tooltip) {
-  Edit edit;
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   label_cell(label, tooltip);
+  ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(), origin.y));
+  QuantityLook look;
+  look.unit = unit;
+  look.per_pixel = per_pixel;
+  return quantity(name, value, look);
+}
+
+Edit Ui::quantity(std::string_view name, double& value, const QuantityLook& look) {
+  Edit edit;
+  const double before = value;
   const float height = ImGui::GetFrameHeight();
-  const ImVec2 min(origin.x + label_width(), origin.y);
-  const float width = ImGui::GetContentRegionAvail().x - label_width();
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float width = look.width > 0 ? look.width : ImGui::GetContentRegionAvail().x;
   const ImVec2 max(min.x + width, min.y + height);
+  const auto kept = [&](double wanted) { return std::max(wanted, look.least); };
   ImGui::PushID(name.data(), end_of(name));
-  const ImGuiID id = ImGui::GetID("length");
+  const ImGuiID id = ImGui::GetID("quantity");
   if (typing(id)) {
-    edit.finished = typing_field("##typed", min, width, value, edit.changed);
+    edit.finished = typing_field("##typed", min, width, value, edit.changed, look.none);
+    value = kept(value);
+    edit.changed = value != before;
     record(name, min, max);
     ImGui::PopID();
     return edit;
   }
   ImGui::SetCursorScreenPos(min);
-  ImGui::InvisibleButton("length", ImVec2(width, height));
+  ImGui::InvisibleButton("quantity", ImVec2(width, height));
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   record(name, min, max, true, min.x, max.x, 0.5f * (min.x + max.x));
+  if (!look.tooltip.empty() && !held) tooltip_if_hovered(look.tooltip);
   if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   const ImGuiIO& io = ImGui::GetIO();
-  if (ImGui::IsItemActivated()) drag_carry_ = value;
+  const bool unlimited = std::abs(value) >= kNoLimit;
+  if (ImGui::IsItemActivated()) drag_carry_ = unlimited ? 0.0 : value;
   if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    edit.changed = value != 0;
-    value = 0;
-    drag_carry_ = 0;
+    value = drag_carry_ = look.reset_value;
     edit.finished = true;
   } else if (ImGui::IsItemActivated() && io.KeyCtrl) {
     begin_typing(id, value);
     ImGui::ClearActiveID();
   } else if (held && io.MouseDelta.x != 0 && !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    drag_carry_ += static_cast<double>(io.MouseDelta.x) * per_pixel;
-    const double rounded = std::round(drag_carry_ / per_pixel) * per_pixel;
-    edit.changed = rounded != value;
-    value = rounded == 0 ? 0.0 : rounded;  // no -0
+    drag_carry_ += static_cast<double>(io.MouseDelta.x) * look.per_pixel;
+    const double rounded = std::round(drag_carry_ / look.per_pixel) * look.per_pixel;
+    value = kept(rounded == 0 ? 0.0 : rounded);  // no -0
   }
   if (ImGui::IsItemDeactivated()) edit.finished = true;
   if (hovered) {
     ImGui::SetItemUsingMouseWheel();
     if (io.MouseWheel != 0) {
-      value += static_cast<double>(io.MouseWheel) * 5 * per_pixel;
-      edit.changed = true;
+      value = kept((unlimited ? 0.0 : value) + static_cast<double>(io.MouseWheel) * 5 * look.per_pixel);
       wheel_id_ = id;
       wheel_time_ = ImGui::GetTime();
     }
   }
+  edit.changed = value != before;
   finish_wheel(id, hovered, edit);
   ImGui::PopID();
 
@@ -366,58 +427,88 @@ Edit Ui::length(std::string_view name, std::string_view label, double& value, do
   const float rounding = ImGui::GetStyle().FrameRounding;
   draw.AddRectFilled(min, max, held ? p.pressed : hovered ? p.hovered : p.raised, rounding);
   draw.AddRect(min, max, p.line, rounding);
-  const float unit_width = unit.empty() ? 0 : text_size(theme_.small(), unit).x + px(6);
-  const ImVec2 right(max.x - px(8), max.y);
-  draw_text_aligned(draw, theme_.small(), min, right, 1.0f, p.ink_faint, unit);
-  draw_text_aligned(draw, theme_.regular(), min, ImVec2(right.x - unit_width, right.y), 1.0f, p.ink,
-                    format_number(value));
-  ImGui::SetCursorScreenPos(ImVec2(origin.x, origin.y));
-  ImGui::Dummy(ImVec2(0, height));
+  const bool none = std::abs(value) >= kNoLimit;
+  const std::string_view unit = none ? std::string_view() : look.unit;
+  const float unit_width = unit.empty() ? 0 : text_size(theme_.small(), unit).x + px(5);
+  const ImVec2 left(min.x + px(8), min.y), right(max.x - px(8), max.y);
+  draw_text_aligned(draw, theme_.small(), left, right, 0.0f, p.ink_faint, look.prefix);
+  draw_text_aligned(draw, theme_.small(), left, right, 1.0f, p.ink_faint, unit);
+  draw_text_aligned(draw, theme_.regular(), left, ImVec2(right.x - unit_width, right.y), 1.0f,
+                    none ? p.ink_faint : p.ink, none ? "none" : format_entry(value));
   return edit;
 }
 
-Edit Ui::weight(std::string_view name, std::string_view label, double& value, double reset_value,
-                double share, std::string_view tooltip) {
+Edit Ui::weight(std::string_view name, std::string_view label, double& value, const WeightLook& look) {
   Edit edit;
+  const double before = value;
+  const Palette& p = colours();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  // Two lines: label and numbers, under them the slider and the bar of the share.
   const ImVec2 origin = ImGui::GetCursorScreenPos();
-  label_cell(label, tooltip);
-  const float height = ImGui::GetFrameHeight();
   const float available = ImGui::GetContentRegionAvail().x;
-  const float value_width = px(50), share_width = px(8), space = px(8);
-  const float knob = px(7);
-  const ImVec2 min(origin.x + label_width(), origin.y);
-  const ImVec2 max(origin.x + available - value_width - share_width - 2 * space, origin.y + height);
-  const float left = min.x + knob, right = max.x - knob;
-  const ImVec2 value_min(max.x + space, origin.y), value_max(value_min.x + value_width, max.y);
+  const float text_height = px(19), track_height = px(13), height = px(32);
+  const float knob = px(5), number_width = px(48), reset_width = px(18);
+  const float column = available - weight_share_width() - px(10);
+  const float text_bottom = origin.y + text_height;
+  const ImVec2 number_min(origin.x + column - number_width, origin.y),
+      number_max(origin.x + column, text_bottom);
+  const ImVec2 track_min(origin.x, origin.y + height - track_height - px(1)),
+      track_max(origin.x + column, origin.y + height - px(1));
+  const float left = track_min.x + knob, right = track_max.x - knob;
 
   ImGui::PushID(name.data(), end_of(name));
   const ImGuiID id = ImGui::GetID("weight");
-  ImGui::SetCursorScreenPos(min);
-  ImGui::InvisibleButton("weight", ImVec2(max.x - min.x, height));
+
+  // The label, and a "?" that explains it.
+  const float help_width = px(18);
+  const float room = number_min.x - reset_width - help_width - origin.x;
+  const std::string read = elided(theme_.regular(), label, room);
+  const float label_width_here = text_size(theme_.regular(), read).x;
+  draw_text_aligned(draw, theme_.regular(), origin, ImVec2(origin.x + room, text_bottom), 0.0f,
+                    value > 0 ? p.ink : p.ink_soft, read);
+  ImGui::SetCursorScreenPos(origin);
+  ImGui::InvisibleButton("label", ImVec2(label_width_here + help_width, text_height));
+  draw_help(ImVec2(origin.x + label_width_here + px(11), 0.5f * (origin.y + text_bottom) + px(0.5f)),
+            ImGui::IsItemHovered());
+  record(std::string(name) + " help", ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
+  tooltip_if_hovered(look.tooltip);
+
+  // Back to where it began; only there when it is elsewhere.
+  if (value != look.reset_value) {
+    ImGui::SetCursorScreenPos(ImVec2(number_min.x - reset_width, origin.y + px(0.5f)));
+    ButtonLook reset;
+    reset.small = reset.quiet = reset.has_icon = true;
+    reset.icon = Icon::Undo;
+    reset.width = reset_width;
+    reset.tooltip = "Back to " + format_number(look.reset_value);
+    if (button(std::string(name) + " reset", theme_.has_icons() ? "" : "0", reset)) {
+      value = look.reset_value;
+      edit.finished = true;
+    }
+  }
+
+  // The slider.
+  ImGui::SetCursorScreenPos(track_min);
+  ImGui::InvisibleButton("weight", ImVec2(track_max.x - track_min.x, track_height));
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
-  record(name, min, max, true, left, right,
+  record(name, track_min, track_max, true, left, right,
          left + static_cast<float>(fraction_of_weight(value)) * (right - left));
   const ImGuiIO& io = ImGui::GetIO();
   if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    edit.changed = value != reset_value;
-    value = reset_value;
+    value = look.reset_value;
     ImGui::ClearActiveID();
     edit.finished = true;
   } else if (ImGui::IsItemActivated() && io.KeyCtrl) {
     begin_typing(id, value);
     ImGui::ClearActiveID();
   } else if (held && (ImGui::IsItemActivated() || io.MouseDelta.x != 0)) {
-    const double dragged = weight_at(static_cast<double>((io.MousePos.x - left) / (right - left)));
-    edit.changed = dragged != value;
-    value = dragged;
+    value = weight_at(static_cast<double>((io.MousePos.x - left) / (right - left)));
   }
   if (ImGui::IsItemDeactivated()) edit.finished = true;
   if (hovered) {
     ImGui::SetItemUsingMouseWheel();
     if (io.MouseWheel != 0) {
-      const double stepped = weight_step(value, static_cast<double>(io.MouseWheel));
-      edit.changed = stepped != value;
-      value = stepped;
+      value = weight_step(value, static_cast<double>(io.MouseWheel));
       wheel_id_ = id;
       wheel_time_ = ImGui::GetTime();
     }
@@ -428,68 +519,76 @@ Edit Ui::weight(std::string_view name, std::string_view label, double& value, do
   if (typing(id)) {
     double typed = value;
     bool changed = false;
-    if (typing_field("##typed", value_min, value_width, typed, changed)) edit.finished = true;
-    if (changed && typed >= 0) {
-      value = typed;
-      edit.changed = true;
-    }
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(px(4), px(1)));
+    if (typing_field("##typed", number_min, number_width, typed, changed)) edit.finished = true;
+    ImGui::PopStyleVar();
+    if (changed && typed >= 0) value = typed;
   } else {
-    ImGui::SetCursorScreenPos(value_min);
-    if (ImGui::InvisibleButton("number", ImVec2(value_width, height))) begin_typing(id, value);
+    ImGui::SetCursorScreenPos(number_min);
+    if (ImGui::InvisibleButton("number", ImVec2(number_width, text_height))) begin_typing(id, value);
     const bool over = ImGui::IsItemHovered();
-    record(std::string(name) + " number", value_min, value_max);
-    ImDrawList& draw = *ImGui::GetWindowDrawList();
+    record(std::string(name) + " number", number_min, number_max);
     if (over) {
       ImGui::SetMouseCursor(ImGuiMouseCursor_TextInput);
-      draw.AddRectFilled(value_min, value_max, colours().hovered, ImGui::GetStyle().FrameRounding);
+      draw.AddRectFilled(number_min, number_max, p.hovered, ImGui::GetStyle().FrameRounding);
     }
-    draw_text_aligned(draw, theme_.regular(), value_min, ImVec2(value_max.x - px(4), value_max.y), 1.0f,
-                      value > 0 ? colours().ink : colours().ink_faint, format_number(value));
+    draw_text_aligned(draw, theme_.regular(), number_min, ImVec2(number_max.x - px(2), number_max.y), 1.0f,
+                      value > 0 ? p.ink : p.ink_faint, format_number(value));
   }
   ImGui::PopID();
+  edit.changed = value != before;
 
-  const Palette& p = colours();
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float y = std::round(origin.y + 0.5f * height);
+  const float y = std::round(0.5f * (track_min.y + track_max.y));
   const float x = left + static_cast<float>(fraction_of_weight(value)) * (right - left);
-  const float thickness = px(3);
+  const float thickness = px(2);
   draw.AddRectFilled(ImVec2(left, y - 0.5f * thickness), ImVec2(right, y + 0.5f * thickness), p.line,
                      thickness);
+  // A tick where 1 stands, the weight that means the same on every model.
+  const float one = std::round(left + static_cast<float>(fraction_of_weight(1.0)) * (right - left));
+  draw.AddRectFilled(ImVec2(one, y - px(3)), ImVec2(one + 1, y + px(3)), p.line);
   if (value > 0) {
     draw.AddRectFilled(ImVec2(left, y - 0.5f * thickness), ImVec2(x, y + 0.5f * thickness),
                        held ? p.accent : p.ink_soft, thickness);
   }
-  // A tick where 1 stands, the weight that means the same on every model.
-  const float one = left + static_cast<float>(fraction_of_weight(1.0)) * (right - left);
-  draw.AddLine(ImVec2(one, y + px(5)), ImVec2(one, y + px(8)), p.ink_faint);
-  draw.AddCircleFilled(ImVec2(x, y + px(1)), knob, p.shadow, 24);
-  draw.AddCircleFilled(ImVec2(x, y), knob - px(0.5f), held ? p.accent : p.raised, 24);
-  draw.AddCircle(ImVec2(x, y), knob - px(0.5f), held || hovered ? p.accent : p.ink_faint, 24);
+  draw.AddCircleFilled(ImVec2(x, y + px(1)), knob, p.shadow, 20);
+  draw.AddCircleFilled(ImVec2(x, y), knob, held ? p.accent : p.raised, 20);
+  draw.AddCircle(ImVec2(x, y), knob, held || hovered ? p.accent : value > 0 ? p.ink_soft : p.ink_faint, 20);
 
-  // The share of the objective, as a bar that fills from below.
-  const ImVec2 bar_min(value_max.x + space, origin.y + px(4)),
-      bar_max(bar_min.x + share_width, max.y - px(4));
-  draw.AddRectFilled(bar_min, bar_max, p.hovered, px(2));
-  if (share > 0) {
-    const float top = bar_max.y - static_cast<float>(std::min(share, 1.0)) * (bar_max.y - bar_min.y);
-    draw.AddRectFilled(ImVec2(bar_min.x, top), bar_max, p.ink_soft, px(2));
+  // What it adds to the objective, over the bar of its share.
+  const ImVec2 share_min(origin.x + available - weight_share_width(), origin.y),
+      share_max(origin.x + available, origin.y + height);
+  if (look.value >= 0 && value > 0) {
+    draw_text_aligned(draw, theme_.regular(), share_min, ImVec2(share_max.x, text_bottom), 1.0f, p.ink_soft,
+                      format_number(look.value));
   }
-  if (ImGui::IsMouseHoveringRect(ImVec2(bar_min.x - px(4), origin.y), ImVec2(bar_max.x + px(4), max.y)) &&
-      ImGui::IsWindowHovered()) {
-    ImGui::BeginTooltip();
-    if (share >= 0) {
-      ImGui::Text("%.1f %% of the objective", 100 * share);
-    } else {
-      ImGui::TextUnformatted("Share of the objective: known after a solve");
+  const ImVec2 bar_min(share_min.x, y - px(2)), bar_max(share_max.x, y + px(2));
+  draw.AddRectFilled(bar_min, bar_max, p.hovered, px(2));
+  if (look.share > 0 && value > 0) {
+    const float length =
+        std::max(static_cast<float>(std::min(look.share, 1.0)) * (bar_max.x - bar_min.x), px(1));
+    draw.AddRectFilled(bar_min, ImVec2(bar_min.x + length, bar_max.y), p.ink_soft, px(2));
+  }
+  if (ImGui::IsMouseHoveringRect(share_min, share_max) && ImGui::IsWindowHovered()) {
+    char text[96] = "Share of the objective: known after a solve";
+    if (value <= 0) {
+      std::snprintf(text, sizeof text, "Weight 0: no part of the objective");
+    } else if (look.share >= 0) {
+      std::snprintf(text, sizeof text, "%.1f %% of the objective", 100 * look.share);
     }
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(7)));
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(text);
     ImGui::EndTooltip();
+    ImGui::PopStyleVar();
   }
   ImGui::SetCursorScreenPos(origin);
-  ImGui::Dummy(ImVec2(available, height));
+  // The rows follow each other closely.
+  ImGui::Dummy(ImVec2(available, height - ImGui::GetStyle().ItemSpacing.y));
   return edit;
 }
 
-bool Ui::section(std::string_view name, std::string_view title, bool open_at_first) {
+bool Ui::section(std::string_view name, std::string_view title, bool open_at_first, std::string_view summary,
+                 ImU32 summary_colour) {
   gap(3);
   const ImVec2 min = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
@@ -518,7 +617,13 @@ bool Ui::section(std::string_view name, std::string_view title, bool open_at_fir
   draw_text_aligned(draw, theme_.bold(), ImVec2(min.x + arrow, min.y), max, 0.0f, ink, title);
   const float line_x = min.x + arrow + text_size(theme_.bold(), title).x + px(10);
   const float line_y = std::round(0.5f * (min.y + max.y)) + 0.5f;
-  draw.AddLine(ImVec2(line_x, line_y), ImVec2(max.x, line_y), colours().line);
+  float line_end = max.x;
+  if (!summary.empty()) {
+    draw_text_aligned(draw, theme_.small(), min, max, 1.0f,
+                      summary_colour == 0 ? colours().ink_soft : summary_colour, summary);
+    line_end -= text_size(theme_.small(), summary).x + px(10);
+  }
+  if (line_x < line_end) draw.AddLine(ImVec2(line_x, line_y), ImVec2(line_end, line_y), colours().line);
   return open;
 }
 
@@ -588,7 +693,10 @@ void Ui::gap(float at_scale_one) {
 }
 
 void Ui::tooltip_if_hovered(std::string_view text) const {
-  if (text.empty() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+  if (!text.empty() && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) tooltip(text);
+}
+
+void Ui::tooltip(std::string_view text) const {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(px(10), px(7)));
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(px(300));

@@ -30,6 +30,26 @@ struct Edit {
   bool finished = false;  // the gesture (drag, wheel, typing) is over
 };
 
+// How a number is entered (Ui::quantity).
+struct QuantityLook {
+  std::string_view prefix = {};  // "from": faint, inside the field
+  std::string_view unit = {};
+  double per_pixel = 0.01;   // of a drag
+  double reset_value = 0.0;  // of a double click
+  double least = -1e300;     // smaller entries become this
+  double none = 0.0;         // what an emptied field means; 0: a field cannot be empty
+  float width = 0;           // pixels; 0: as wide as there is room
+  std::string_view tooltip = {};
+};
+
+// What a weight's row shows besides the weight (Ui::weight).
+struct WeightLook {
+  double reset_value = 0.0;
+  double value = -1;  // what the energy adds to the objective; < 0: not known
+  double share = -1;  // 0..1 of the objective; < 0: not known
+  std::string_view tooltip = {};
+};
+
 struct ButtonLook {
   Icon icon{};
   bool has_icon = false;
@@ -37,6 +57,7 @@ struct ButtonLook {
   bool active = false;   // a toggle that is on
   bool enabled = true;
   bool quiet = false;  // no frame until hovered
+  bool small = false;  // a square as high as a line of text, its icon faint
   float width = 0;     // pixels; 0: as wide as its text; < 0: as wide as there is room
   std::string tooltip;
 };
@@ -82,17 +103,25 @@ class Ui {
   bool segmented(std::string_view name, std::span<const std::string> labels, int& current,
                  std::span<const std::string> tooltips = {});
   bool checkbox(std::string_view name, std::string_view label, bool& value, std::string_view tooltip = {});
+  // A box with a dash: some of what it stands for is on, some is not. A press asks for all.
+  bool checkbox_mixed(std::string_view name, std::string_view label, bool& value, bool mixed);
+  // An empty label leaves the whole line to the list.
   bool choice(std::string_view name, std::string_view label, std::span<const std::string> items, int& current,
-              std::string_view tooltip = {});
+              std::string_view tooltip = {}, std::span<const std::string> item_tooltips = {});
   // A length with its unit: drag, wheel, or ctrl-click and type; double click resets to 0.
   Edit length(std::string_view name, std::string_view label, double& value, double per_pixel,
               std::string_view unit, std::string_view tooltip = {});
-  // See weight_scale.h: drag, wheel, double click resets, ctrl-click (or a click on the number) types.
-  // share: 0..1 of the objective, < 0: not known.
-  Edit weight(std::string_view name, std::string_view label, double& value, double reset_value, double share,
-              std::string_view tooltip = {});
-  // A heading that opens and closes what follows.
-  bool section(std::string_view name, std::string_view title, bool open_at_first = true);
+  // A number in a field of its own, used like length(); values of at least kNoLimit are "none".
+  Edit quantity(std::string_view name, double& value, const QuantityLook& look);
+  // See weight_scale.h: drag, wheel, double click or the small button resets, ctrl-click (or a click on the
+  // number) types. Two columns: weight over slider, what it adds to the objective over the share's bar.
+  Edit weight(std::string_view name, std::string_view label, double& value, const WeightLook& look);
+  float weight_share_width() const { return px(62); }
+  // A "?" that explains what stands before it; the cursor stays on the line.
+  void help(std::string_view name, std::string_view text);
+  // A heading that opens and closes what follows; `summary` stands at its end.
+  bool section(std::string_view name, std::string_view title, bool open_at_first = true,
+               std::string_view summary = {}, ImU32 summary_colour = 0);
   bool selectable(std::string_view name, std::string_view label, bool selected);
 
   // --- Texts.
@@ -106,6 +135,7 @@ class Ui {
   void separator();
   void gap(float at_scale_one = 6);
   void tooltip_if_hovered(std::string_view text) const;
+  void tooltip(std::string_view text) const;
 
   float label_width() const { return px(92); }
 
@@ -113,8 +143,11 @@ class Ui {
   void label_cell(std::string_view label, std::string_view tooltip);
   bool typing(ImGuiID id) const { return typing_id_ == id; }
   void begin_typing(ImGuiID id, double value);
-  // Draws the text field in the given rectangle; true when the value is final.
-  bool typing_field(const char* id_text, ImVec2 position, float width, double& value, bool& changed);
+  // Draws the text field in the given rectangle; true when the value is final. none: what an empty text
+  // means, 0 for nothing.
+  bool typing_field(const char* id_text, ImVec2 position, float width, double& value, bool& changed,
+                    double none = 0.0);
+  void draw_help(ImVec2 middle, bool hovered) const;
   void finish_wheel(ImGuiID id, bool hovered, Edit& edit);
 
   const Theme& theme_;
