@@ -1,15 +1,14 @@
 // planewright-bench: one run prints a table, side by side, of Ipopt with its default options in raw
 // coordinates, of the first prototype's options, and of this program as it ships.
 //
-//   planewright-bench                 the torus of 10,000 panels (minutes: the default options take most of
-//   them) planewright-bench --rows 40 --columns 40        a small one planewright-bench --mesh FILE...  this
-//   program alone on real meshes: time, planarity, displacement
+//   planewright-bench                            the torus of 10,000 panels (minutes: mostly the default
+//   options) planewright-bench --rows 40 --columns 40     a small one planewright-bench --mesh FILE... this
+//   program alone on real meshes planewright-bench --no-penetration [--offset E ...] [--mesh FILE...]    with
+//   the paper's constraints planewright-bench --uncrossed --mesh FILE... quads that do not cross themselves
 //
 // Times are of one process on one thread: wall and CPU (user + system); ratios within one run are what counts
 // on a shared machine. Energy and displacement in mean edges, planarity relative to the bounding box's
 // diagonal.
-#include <sys/resource.h>
-
 #include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
@@ -17,32 +16,15 @@
 #include <vector>
 
 #include "baselines.h"
-#include "core/diagnose/planarity.h"
+#include "core/design/design.h"
 #include "core/export/solve_record.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
-#include "core/design/design.h"
+#include "demands.h"
+#include "table.h"
 
 namespace planewright::bench {
 namespace {
-
-double cpu_seconds() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
-
-struct Row {
-  std::string name;
-  SolveReport report;
-  double wall = 0.0, cpu = 0.0;
-  double energy = 0.0;  // sum |x - f|^2, mean edges squared
-  Displacement displacement;
-  Planarity planarity;
-};
 
 Row measure(std::string name, std::shared_ptr<const TangentComplex> complex, const LayerSettings& settings,
             const IpoptOverrides& overrides, double mean_edge) {
@@ -56,25 +38,8 @@ Row measure(std::string name, std::shared_ptr<const TangentComplex> complex, con
                                                    solve_options(settings), nullptr, {});
   row.cpu = cpu_seconds() - cpu;
   row.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  row.displacement = measure_displacement(row.report.state.x, complex->preferred);
-  row.energy = row.displacement.per_point.squaredNorm() / (mean_edge * mean_edge);
-  row.displacement.rms /= mean_edge;
-  row.displacement.max /= mean_edge;
-  const Panels panels = panels_of(*complex, row.report.state);
-  row.planarity = measure_planarity(panels.points, panels.polygons);
+  measure_state(row, *complex, mean_edge);
   return row;
-}
-
-void print_head() {
-  std::printf("%-34s %9s %9s %6s %12s %8s %8s %9s  %s\n", "", "wall s", "CPU s", "iter", "energy", "rms",
-              "max", "planarity", "status");
-}
-
-void print(const Row& row) {
-  std::printf("%-34s %9.2f %9.2f %6d %12.6g %8.4f %8.4f %9.1e  %s\n", row.name.c_str(), row.wall, row.cpu,
-              row.report.iterations, row.energy, row.displacement.rms, row.displacement.max,
-              row.planarity.max_relative_to_bbox, name(row.report.status));
-  std::fflush(stdout);
 }
 
 void compare_on_torus(int rows, int columns, bool baselines) {
@@ -121,15 +86,23 @@ int main(int argc, char** argv) {
   using namespace planewright;
   CLI::App app{"Measures solvers side by side in one run"};
   int rows = 100, columns = 100;  // frozen: 10,000 panels
-  bool only_ours = false;
+  bool only_ours = false, no_penetration = false, uncrossed = false;
+  std::vector<double> offsets{0.2};
   std::vector<std::string> meshes;
   app.add_option("--rows", rows, "Torus: vertices round the tube")->check(CLI::Range(4, 2000));
   app.add_option("--columns", columns, "Torus: vertices round the axis")->check(CLI::Range(4, 2000));
   app.add_flag("--only-ours", only_ours, "Leave out the baselines");
   app.add_option("--mesh", meshes, "Real meshes instead of the torus");
+  auto* constraints = app.add_flag("--no-penetration", no_penetration, "Duals with the paper's constraints");
+  app.add_option("--offset", offsets, "With --no-penetration: offsets, mean panel edges")->needs(constraints);
+  app.add_flag("--uncrossed", uncrossed, "Real meshes planarized with the preset 'uncrossed'");
   CLI11_PARSE(app, argc, argv);
   try {
-    if (meshes.empty())
+    if (no_penetration)
+      bench::measure_non_penetration(meshes, offsets);
+    else if (uncrossed)
+      bench::measure_uncrossed(meshes);
+    else if (meshes.empty())
       bench::compare_on_torus(rows, columns, !only_ours);
     else
       bench::measure_meshes(meshes);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <utility>
 
 #include "core/design/design.h"
 #include "core/diagnose/crossings.h"
@@ -65,60 +66,95 @@ class LayerSolver {
   }
 
   Result<SolveReport> run() {
+    auto report = solve_giving_up();
+    if (!report || conflicts_.empty() || !usable(*report) || stop_.stop_requested())
+      return concluded(std::move(report));
+    // Where the others pulled hardest the rest may be met by itself: keep only what is really violated, if
+    // that is enough.
+    const std::set<Waiver> needed = still_violated(*report);
+    if (needed.size() == conflicts_.size()) return concluded(std::move(report));
+    const std::set<Waiver> enough = std::exchange(conflicts_, needed);
+    settings_ = layer_.settings;
+    for (const Waiver& waiver : conflicts_) settings_.demands.waived.push_back(waiver);
+    gives_up_ = false;
+    auto leaner = solve_giving_up();
+    if (leaner && usable(*leaner)) return concluded(std::move(leaner));
+    conflicts_ = enough;
+    return concluded(std::move(report));
+  }
+
+ private:
+  static bool usable(const SolveReport& report) {
+    return report.status == SolveStatus::Converged || report.status == SolveStatus::Planar;
+  }
+
+  // Rounds from the start until everything but conflicts_ is met, or nothing more can be done.
+  Result<SolveReport> solve_giving_up() {
     State at = start_;
-    int iterations = 0;
-    double seconds = 0.0;
-    for (int round = 1;; ++round) {
+    separations_.clear();
+    best_ = std::numeric_limits<double>::infinity();
+    for (int attempt = 1;; ++attempt) {
       FrozenGeometry frozen{&at, layer_.reference, layer_.neighbour, separations_};
       const auto problem = build_problem(layer_.complex, settings_, layer_.selections, frozen);
       if (!problem) return tl::unexpected(problem.error());
       SolveReport report = make_ipopt_solver()->solve(**problem, at, options_, &observer_, stop_);
       observer_.next_round();
-      report.iterations = iterations += report.iterations;
-      report.seconds = seconds += report.seconds;
-      report.rounds = round;
-      const bool usable = report.status == SolveStatus::Converged || report.status == SolveStatus::Planar;
-      const bool last = round == kMostRounds || stop_.stop_requested();
+      report.iterations = iterations_ += report.iterations;
+      report.seconds = seconds_ += report.seconds;
+      report.rounds = ++rounds_;
+      const bool last = attempt == kMostRounds || stop_.stop_requested();
 
-      if (report.status == SolveStatus::Infeasible && !last && give_up_violated(**problem, report)) {
+      if (report.status == SolveStatus::Infeasible && !last && gives_up_ &&
+          give_up_violated(**problem, report)) {
         at = start_;  // so that the same solve without the conflicts gives the same result
         separations_.clear();
         continue;
       }
-      if (usable && !last && follows_surface_ && feet_moved(at, report.state)) {
+      if (usable(report) && !last &&
+          ((follows_surface_ && feet_moved(at, report.state)) || (follows_border_ && gains(report)))) {
         at = report.state;
         continue;
       }
-      if (usable && !last && follows_border_ && gains(report)) {
+      if (!settings_.no_penetration || report.status == SolveStatus::Failed) return report;
+      const std::vector<Crossing> crossings = crossings_of(report.state);
+      report.crossings = static_cast<int>(crossings.size());
+      if (crossings.empty() || !usable(report)) return report;
+      if (!last && attempt < kMostRounds - kRoundsForConflicts) {
+        separate(crossings);
         at = report.state;
-        continue;
+      } else if (!last && gives_up_) {
+        give_up_crossing(crossings);
+        at = start_;
+        separations_.clear();
+      } else {
+        report.status = SolveStatus::Infeasible;
+        report.stop_reason =
+            std::to_string(crossings.size()) + " pairs of a panel and a mesh face still cross";
+        return report;
       }
-      if (settings_.no_penetration && report.status != SolveStatus::Failed) {
-        const std::vector<Crossing> crossings = count_crossings(report);
-        report.crossings = static_cast<int>(crossings.size());
-        if (usable && !crossings.empty()) {
-          if (!last && round < kMostRounds - kRoundsForConflicts) {
-            separate(crossings);
-            at = report.state;
-            continue;
-          }
-          if (!last) {
-            give_up_crossing(crossings);
-            at = start_;
-            separations_.clear();
-            continue;
-          }
-          report.status = SolveStatus::Infeasible;
-          report.stop_reason =
-              "some panels still cross the mesh: " + std::to_string(crossings.size()) + " pairs";
-        }
-      }
-      conclude(report);
-      return report;
     }
   }
 
- private:
+  // Those of the conflicts that are violated at the result.
+  std::set<Waiver> still_violated(const SolveReport& report) const {
+    std::set<Waiver> violated;
+    FrozenGeometry frozen{&report.state, layer_.reference, layer_.neighbour, {}};
+    if (const auto whole = build_problem(layer_.complex, layer_.settings, layer_.selections, frozen)) {
+      const Vector z = (*whole)->from_state(report.state);
+      for (const auto& v : (*whole)->violated_rows(z.data(), options_.planarity_tolerance))
+        violated.insert({std::string((*whole)->row_name(v.row)), (*whole)->row_element(v.row)});
+    }
+    std::set<Waiver> needed;
+    for (const Waiver& conflict : conflicts_)
+      if (violated.contains(conflict) || conflict.demand == "no-penetration") needed.insert(conflict);
+    return needed;
+  }
+
+  Result<SolveReport> concluded(Result<SolveReport> report) {
+    if (report) conclude(*report);
+    return report;
+  }
+
   // Elements at which demands are violated join what is given up. False if there is nothing new to give up.
   bool give_up_violated(const Problem& problem, const SolveReport& report) {
     const Vector z = problem.from_state(report.state);
@@ -162,9 +198,9 @@ class LayerSolver {
     return now < before - kGain * std::max(std::abs(before), 1e-9);
   }
 
-  std::vector<Crossing> count_crossings(const SolveReport& report) const {
+  std::vector<Crossing> crossings_of(const State& state) const {
     const TangentComplex& complex = *layer_.complex;
-    const Surface panels{report.state.x, complex.panels}, mesh{complex.input.vertices, complex.input.faces};
+    const Surface panels{state.x, complex.panels}, mesh{complex.input.vertices, complex.input.faces};
     auto crossings = find_crossings(panels, mesh, settings_.demands.margin * complex.mean_edge);
     const std::set<Waiver> waived(settings_.demands.waived.begin(), settings_.demands.waived.end());
     std::erase_if(crossings, [&](const Crossing& c) {
@@ -174,23 +210,27 @@ class LayerSolver {
   }
 
   // A plane between the two triangles of each crossing pair, for the panel's three corners to stay behind.
+  // Usually the one that parts them with the least move; where that would push a panel sideways or through,
+  // the mesh face's own plane.
   void separate(const std::vector<Crossing>& crossings) {
     const TangentComplex& complex = *layer_.complex;
     const double margin = settings_.demands.margin * complex.mean_edge;
     for (const Crossing& crossing : crossings) {
+      const Vector3d out =
+          settings_.side_sign() * complex.input.face_normals.row(crossing.second).transpose();
+      const Vector3d direction = crossing.apart.dot(out) > kOutwards ? crossing.apart : out;
       double low = -std::numeric_limits<double>::infinity();
-      for (int v : crossing.second_corners)
-        low = std::max(low, crossing.apart.dot(complex.input.vertices.row(v)));
+      for (int v : crossing.second_corners) low = std::max(low, direction.dot(complex.input.vertices.row(v)));
       // Touching within the margin is no crossing, so half of it on top keeps clear of the test's threshold.
       for (int j : crossing.first_corners)
-        separations_.push_back({j, crossing.apart, low + 0.5 * margin, crossing.first});
+        separations_.push_back({j, direction, low + 0.5 * margin, crossing.first});
     }
   }
 
   void conclude(SolveReport& report) {
     if (conflicts_.empty()) return;
     report.conflicts.assign(conflicts_.begin(), conflicts_.end());
-    if (report.status != SolveStatus::Converged && report.status != SolveStatus::Planar) return;
+    if (!usable(report)) return;
     report.stop_reason = "some demands cannot be met together with the others; without " +
                          std::to_string(conflicts_.size()) + " of them: " + report.stop_reason;
     report.status = SolveStatus::Infeasible;
@@ -212,6 +252,7 @@ class LayerSolver {
   static constexpr double kFootSettled = 1e-3;  // mean edges
   static constexpr double kGain = 1e-4;         // of the energy
   static constexpr double kShareOfWorst = 0.05;
+  static constexpr double kOutwards = 0.3;  // cosine
 
   const LayerProblem& layer_;
   LayerSettings settings_;  // with what had to be given up
@@ -221,7 +262,9 @@ class LayerSolver {
   std::stop_token stop_;
   std::set<Waiver> asked_, conflicts_;
   std::vector<Separation> separations_;
-  bool follows_surface_ = false, follows_border_ = false;
+  bool follows_surface_ = false, follows_border_ = false, gives_up_ = true;
+  int rounds_ = 0, iterations_ = 0;
+  double seconds_ = 0.0;
   double best_ = std::numeric_limits<double>::infinity();
 };
 

@@ -30,8 +30,8 @@ struct Selection {
 struct Demand {
   std::string name;
   bool on = true;
-  std::string selection;       // name of a Selection; empty: the whole model
-  std::vector<double> values;  // as DemandInfo::parameters lists them; missing ones take their defaults
+  std::string selection = {};       // name of a Selection; empty: the whole model
+  std::vector<double> values = {};  // as DemandInfo::parameters lists them; missing ones take their defaults
   bool operator==(const Demand&) const = default;
 };
 
