@@ -21,6 +21,10 @@ using Corners = std::array<Vector3d, 3>;
 // Below this share of its longest edge's square, a triangle's area vector has no direction of its own.
 constexpr double kNoDirection = 1e-10;
 
+// What is closer to the end of an edge, or to an edge, than this share counts as on it: a point right above a
+// corner must not be told by rounding whether it is one.
+constexpr double kOnBoundary = 1e-12;
+
 // Where on a triangle a point lies: kCorner + k, kEdge + k (from corner k to the next), or kInside.
 constexpr int kCorner = 0, kEdge = 3, kInside = 6;
 
@@ -44,19 +48,19 @@ OnTriangle closest_on(const Corners& corner, const Vector3d& p) {
     inside[static_cast<size_t>(k)] = normal.cross(edge).dot(arm);
     const double t = edge.dot(arm), all = edge.squaredNorm();
     OnTriangle found{a, 0.0, kCorner + k};
-    if (t >= all) {
+    if (t >= (1.0 - kOnBoundary) * all) {
       found.point = b;
       found.where = kCorner + (k + 1) % 3;
-    } else if (t > 0.0) {
+    } else if (t > kOnBoundary * all) {
       found.point = a + t / all * edge;
       found.where = kEdge + k;
     }
     found.squared_distance = (p - found.point).squaredNorm();
     if (found.squared_distance < best.squared_distance) best = found;
   }
-  if (inside[0] > 0.0 && inside[1] > 0.0 && inside[2] > 0.0) {
+  const double all = inside[0] + inside[1] + inside[2];
+  if (std::min({inside[0], inside[1], inside[2]}) > kOnBoundary * std::abs(all)) {
     // Each corner weighs by the side of the edge opposite to it.
-    const double all = inside[0] + inside[1] + inside[2];
     const Vector3d foot =
         corner[0] + inside[2] / all * (corner[1] - corner[0]) + inside[0] / all * (corner[2] - corner[0]);
     const double squared_distance = (p - foot).squaredNorm();
@@ -129,6 +133,7 @@ struct ReferenceSurface::Impl {
   std::vector<Vector3d> normals, edge_normals, corner_normals;
   std::vector<std::array<int, 3>> edges_of, corners_of;  // per triangle
   std::vector<char> edge_on_border, corner_on_border;
+  std::vector<char> sliver;  // per triangle: without a normal of its own
 
   void add_triangles(const Points& points, const Polygons& faces);
   bool find_normals();  // false: no triangle has area
@@ -174,9 +179,9 @@ bool ReferenceSurface::Impl::find_normals() {
     const Vector3d area = (c[1] - c[0]).cross(c[2] - c[0]);
     const double longest =
         std::max({(c[1] - c[0]).squaredNorm(), (c[2] - c[1]).squaredNorm(), (c[0] - c[2]).squaredNorm()});
-    const bool sliver = !(area.stableNorm() > kNoDirection * longest);
-    normals.push_back(sliver ? Vector3d(Vector3d::Zero()) : Vector3d(area.stableNormalized()));
-    any = any || !sliver;
+    const bool thin = !(area.stableNorm() > kNoDirection * longest);
+    normals.push_back(thin ? Vector3d(Vector3d::Zero()) : Vector3d(area.stableNormalized()));
+    any = any || !thin;
   }
   return any;
 }
@@ -211,25 +216,44 @@ void ReferenceSurface::Impl::find_edges() {
   }
 }
 
-// A sliver's own normal is mostly rounding; it takes the mean of those across its edges.
+// A sliver's own normal is mostly rounding. It takes the bisector of the normals on both of its long sides,
+// as if it had no width.
 void ReferenceSurface::Impl::stand_in_for_slivers() {
   std::vector<Vector3d> across(edge_on_border.size(), Vector3d::Zero());
-  for (size_t t = 0; t < triangles.size(); ++t)
-    for (int edge : edges_of[t]) across[static_cast<size_t>(edge)] += normals[t];
   for (size_t t = 0; t < triangles.size(); ++t) {
-    if (!normals[t].isZero(0.0)) continue;
-    for (int edge : edges_of[t]) normals[t] += across[static_cast<size_t>(edge)];
-    normals[t].normalize();  // stays 0 where all neighbours are slivers
+    sliver.push_back(normals[t].isZero(0.0));
+    for (int edge : edges_of[t]) across[static_cast<size_t>(edge)] += normals[t];
+  }
+  for (size_t t = 0; t < triangles.size(); ++t) {
+    if (!sliver[t]) continue;
+    std::array<std::pair<double, Vector3d>, 3> sides;  // length and the normal across
+    for (size_t k = 0; k < 3; ++k)
+      sides[k] = {(triangles[t][(k + 1) % 3] - triangles[t][k]).stableNorm(),
+                  across[static_cast<size_t>(edges_of[t][k])]};
+    const auto longest = std::max_element(sides.begin(), sides.end(),
+                                          [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::swap(*longest, sides[0]);
+    const Vector3d others =
+        (sides[1].first * sides[1].second + sides[2].first * sides[2].second) / sides[0].first;
+    // Stays 0 where all neighbours are slivers.
+    normals[t] = (sides[0].second.normalized() + others.normalized()).normalized();
   }
 }
 
 void ReferenceSurface::Impl::find_pseudonormals() {
   edge_normals.assign(edge_on_border.size(), Vector3d::Zero());
+  std::vector<char> at_sliver(edge_on_border.size(), 0);
+  for (size_t t = 0; t < triangles.size(); ++t) {
+    if (!sliver[t]) continue;
+    for (int edge : edges_of[t]) at_sliver[static_cast<size_t>(edge)] = 1;
+  }
   for (size_t t = 0; t < triangles.size(); ++t)
     for (size_t k = 0; k < 3; ++k) {
       const Vector3d &here = triangles[t][k], &next = triangles[t][(k + 1) % 3],
                      &before = triangles[t][(k + 2) % 3];
-      edge_normals[static_cast<size_t>(edges_of[t][k])] += normals[t];
+      const auto edge = static_cast<size_t>(edges_of[t][k]);
+      // A sliver's bisector counts for both sides already.
+      if (sliver[t] || !at_sliver[edge]) edge_normals[edge] += normals[t];
       corner_normals[static_cast<size_t>(corners_of[t][k])] +=
           angle_between(next - here, before - here) * normals[t];
     }

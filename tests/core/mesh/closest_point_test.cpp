@@ -243,27 +243,31 @@ TEST(ClosestPoint, OpenSurfacesGoOnAsTheirTangentPlane) {
   EXPECT_DOUBLE_EQ(inner.distance, 0.4);
 }
 
-// Needles and caps with next to no area, on an edge of the cube: neither the place nor the side may suffer.
+// Caps with next to no area, along an edge of a sheared cube: neither the place nor the side may suffer. The
+// shear makes the edge sharp, so that the normal of one of its faces alone does not tell the side.
 TEST(ClosestPoint, SliversOnAnEdgeChangeNothing) {
-  for (const double width : {1e-3, 1e-7, 1e-11, 1e-15, 1e-18, 0.0}) {
-    Shape shape = cube();
-    // The edge from 5 = (1, 0, 1) to 6 = (1, 1, 1), split in its middle for the face x = 1 alone, a little
-    // below the edge: a cap fills the gap.
-    shape.positions.conservativeResize(9, 3);
-    shape.positions.row(8) << 1, 0.5, 1 - width;
-    shape.faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 8, 5},
-                   {5, 8, 6},    {2, 3, 7, 6}, {3, 0, 4, 7}};
-    const SharedSurface surface = surface_of(shape);
-    Random random(13);
-    for (int k = 0; k < 300; ++k) {
-      const Vector3d query = Vector3d(1, 0.5, 1) + random.in_box(0.4);
-      const bool inside = query.x() < 1 && query.z() < 1;
-      const ClosestPoint found = surface->closest(query, Vector3d::Zero());
-      EXPECT_EQ(found.distance < 0.0, inside) << width;
-      EXPECT_NEAR(std::abs(found.distance), distance_to_all(cube(), query), 1e-14) << width;
-      EXPECT_FALSE(found.border);
+  for (const double shear : {0.0, 1.0})
+    for (const double width : {1e-3, 1e-7, 1e-11, 1e-15, 1e-18, 0.0}) {
+      Shape plain = cube();
+      plain.positions.col(0) += shear * plain.positions.col(2);
+      // The edge from 5 to 6 (x = 1, z = 1), split in its middle for the face x = 1 alone, a little below the
+      // edge: a cap fills the gap.
+      Shape shape = plain;
+      shape.positions.conservativeResize(9, 3);
+      shape.positions.row(8) << 1 + shear * (1 - width), 0.5, 1 - width;
+      shape.faces = {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 8, 5},
+                     {5, 8, 6},    {2, 3, 7, 6}, {3, 0, 4, 7}};
+      const SharedSurface surface = surface_of(shape);
+      Random random(13);
+      for (int k = 0; k < 300; ++k) {
+        const Vector3d query = Vector3d(1 + shear, 0.5, 1) + random.in_box(0.4);
+        const bool inside = query.x() - shear * query.z() < 1 && query.z() < 1;
+        const ClosestPoint found = surface->closest(query, Vector3d::Zero());
+        EXPECT_EQ(found.distance < 0.0, inside) << shear << " " << width;
+        EXPECT_NEAR(std::abs(found.distance), distance_to_all(plain, query), 1e-14) << shear << " " << width;
+        EXPECT_FALSE(found.border);
+      }
     }
-  }
 }
 
 // A needle so thin that its normal is rounding, seen from far away, still has its closest point.

@@ -64,11 +64,12 @@ TEST(Problem, RefusesWeightsThatAreNoWeights) {
 
 TEST(EnergyCatalogue, MakesEnergiesThatBearTheirNames) {
   const auto problem = problem_of(planarize_of(cube().mesh()), {});
+  const FootPoints feet{Points::Zero(8, 3), Points::Zero(8, 3)};
   std::set<std::string> names;
   for (const EnergyInfo& info : energy_catalogue()) {
     EXPECT_TRUE(names.insert(info.name).second);
     EXPECT_EQ(find_energy(info.name).value(), &info);
-    const auto energy = info.make({problem->normalised(), problem->layout()});
+    const auto energy = info.make({problem->normalised(), problem->layout(), &feet});
     EXPECT_EQ(energy->name(), info.name);
     EXPECT_GT(energy->terms(), 0);
     EXPECT_GE(energy->rows(), energy->terms());
@@ -243,6 +244,51 @@ TEST(Problem, ObjectiveAndResidualsDoNotDependOnPlaceAndScale) {
   turned_state.n = state.n * turn.transpose();
   EXPECT_NEAR(objective(*same, turned_state), f, 1e-11 * f);
   EXPECT_NEAR((constraint_values(*same, same->from_state(turned_state)) - c).norm(), 0.0, 1e-11);
+}
+
+// The energies as one sum of squares: f = |r|^2, grad f = 2 J^T r, and 2 J^T J is the Hessian without the
+// residuals' own curvature.
+TEST(Problem, ResidualsAgreeWithObjectiveGradientAndHessian) {
+  std::map<std::string, double> weights;
+  double weight = 0.3;
+  for (const EnergyInfo& info : energy_catalogue()) weights[info.name] = weight += 0.7;
+  for (const auto& [label, complex] : small_complexes()) {
+    const auto problem = problem_of(complex, weights);
+    const Vector z = problem->from_state(perturbed(*complex, 0.3));
+    const SparsePattern& pattern = problem->residual_pattern();
+    Vector residuals = Vector::Constant(problem->residuals(), 1e9);
+    Vector slots = Vector::Constant(pattern.size(), 1e9);
+    problem->residual_values(z.data(), residuals.data());
+    problem->residual_jacobian(z.data(), slots.data());
+    Eigen::MatrixXd slopes = Eigen::MatrixXd::Zero(problem->residuals(), problem->variables());
+    for (int k = 0; k < pattern.size(); ++k) slopes(pattern.rows[k], pattern.columns[k]) += slots[k];
+
+    const double f = problem->objective(z.data());
+    EXPECT_GT(f, 0.1) << label;
+    EXPECT_NEAR(residuals.squaredNorm(), f, 1e-12 * f) << label;
+    const Vector slope = gradient(*problem, z);
+    EXPECT_NEAR((2.0 * slopes.transpose() * residuals - slope).norm(), 0.0, 1e-12 * slope.norm()) << label;
+
+    Vector values = Vector::Constant(problem->hessian_pattern().size(), 1e9);
+    problem->hessian_values(z.data(), 1.0, nullptr, values.data(), Curvature::GaussNewton);
+    Eigen::MatrixXd lower = 2.0 * slopes.transpose() * slopes;
+    const double size = lower.norm();
+    lower.triangularView<Eigen::StrictlyUpper>().setZero();
+    for (int k = 0; k < values.size(); ++k)
+      lower(problem->hessian_pattern().rows[k], problem->hessian_pattern().columns[k]) -= values[k];
+    EXPECT_NEAR(lower.norm(), 0.0, 1e-12 * size) << label;
+
+    // The Jacobian is that of the residuals themselves.
+    for (int v = 0; v < problem->variables(); v += 7) {
+      Vector up = z, down = z, r_up(problem->residuals()), r_down(problem->residuals());
+      up[v] += 1e-5;
+      down[v] -= 1e-5;
+      problem->residual_values(up.data(), r_up.data());
+      problem->residual_values(down.data(), r_down.data());
+      EXPECT_NEAR(((r_up - r_down) / 2e-5 - slopes.col(v)).cwiseAbs().maxCoeff(), 0.0, 1e-7)
+          << label << " " << v;
+    }
+  }
 }
 
 TEST(Problem, PatternsHaveNoEntryTwiceAndEveryDiagonal) {

@@ -16,7 +16,7 @@ struct EnergyInfo {
   std::string name;         // "position": the key of weights, reports and the command line
   std::string label;        // "Position"
   std::string description;  // one sentence for a designer
-  std::string source;       // paper section
+  std::string source;       // paper section; empty: not from the paper
   double default_weight;
   std::unique_ptr<Energy> (*make)(const EnergyContext& context);
 };

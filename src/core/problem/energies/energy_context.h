@@ -7,6 +7,9 @@
 
 namespace planewright {
 
+// The least reference length that a residual is divided by; shorter edges have no direction. Mean edges.
+inline constexpr double kLeastReferenceLength = 1e-3;
+
 // The point of the reference surface closest to each point, frozen while a problem is solved.
 struct FootPoints {
   Points foot;    // #X x 3, normalised
@@ -16,7 +19,7 @@ struct FootPoints {
 struct EnergyContext {
   const TangentComplex& complex;  // normalised
   const Layout& layout;
-  const FootPoints* feet = nullptr;  // only where the energy named "closeness" has a weight
+  const FootPoints* feet = nullptr;  // only where the energy named "closeness" is made, which needs them
 };
 
 }  // namespace planewright
