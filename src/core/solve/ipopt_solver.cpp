@@ -73,7 +73,9 @@ class Adapter final : public Ipopt::TNLP {
         begun_(Clock::now()),
         no_multipliers_(Vector::Zero(problem.rows())),
         gauss_newton_iterations_(overrides.gauss_newton_iterations),
-        curvature_(overrides.gauss_newton_iterations) {}
+        curvature_(overrides.gauss_newton_iterations) {
+    count_equations();
+  }
 
   bool get_nlp_info(Index& n, Index& m, Index& jacobian_slots, Index& hessian_slots,
                     IndexStyleEnum& style) override {
@@ -221,7 +223,25 @@ class Adapter final : public Ipopt::TNLP {
   // Ipopt cannot change rows during a solve: of alternatives, those that need not hold at the start have no
   // bounds until the next restart.
   Bounds bounds(int row) const {
-    return waived_[static_cast<size_t>(row)] ? Bounds{-kUnbounded, kUnbounded} : problem_.bounds(row);
+    if (waived_[static_cast<size_t>(row)]) return {-kUnbounded, kUnbounded};
+    Bounds bounds = problem_.bounds(row);
+    if (loosen_equations_ && bounds.low == bounds.high && row >= first_demand_row_) {
+      bounds.low -= kLooseEquation;
+      bounds.high += kLooseEquation;
+    }
+    return bounds;
+  }
+
+  // Ipopt refuses more equations than unknowns, also where some follow from others (beams of a closed dual).
+  // Demanded ones then get a hair of room; the projection afterwards meets them exactly.
+  static constexpr double kLooseEquation = 1e-10;
+  void count_equations() {
+    int equations = 0, unknowns = 0;
+    for (int row = 0; row < problem_.rows(); ++row)
+      equations += problem_.bounds(row).low == problem_.bounds(row).high;
+    for (int v = 0; v < problem_.variables(); ++v) unknowns += problem_.layout().is_free(v);
+    first_demand_row_ = problem_.unit_normal_rows().second;
+    loosen_equations_ = problem_.has_demands() && equations > unknowns;
   }
   static bool all_finite(const Number* values, Index count) {
     return std::all_of(values, values + count, [](Number v) { return std::isfinite(v); });
@@ -296,6 +316,8 @@ class Adapter final : public Ipopt::TNLP {
   Vector no_multipliers_;
   int gauss_newton_iterations_;
   int iterations_before_ = 0;
+  int first_demand_row_ = 0;
+  bool loosen_equations_ = false;
   CurvatureSchedule curvature_;
 };
 
