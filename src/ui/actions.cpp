@@ -7,8 +7,8 @@
 #include <cctype>
 #include <utility>
 
-#include "ui/layer_edits.h"
 #include "ui/format.h"
+#include "ui/layer_edits.h"
 
 namespace planewright::ui {
 
@@ -40,11 +40,34 @@ const std::vector<ActionInfo>& action_list() {
       {Action::ColourPlanarity, "colours planarity", "Colour by planarity", "", {}},
       {Action::ColourDisplacement, "colours displacement", "Colour by displacement", "", {}},
       {Action::LockRange, "lock range", "Lock the colours' range", "L", {key(GLFW_KEY_L)}},
-      {Action::Convergence, "convergence", "Convergence plot", "P", {key(GLFW_KEY_P)}},
+      {Action::Convergence, "convergence", "Convergence plot", "V", {key(GLFW_KEY_V)}},
       {Action::DarkTheme, "dark theme", "Dark theme", "D", {key(GLFW_KEY_D)}},
       {Action::NextFinding, "next finding", "Next finding", "N", {key(GLFW_KEY_N)}},
       {Action::PreviousFinding, "previous finding", "Previous finding", "Shift N", {shifted(GLFW_KEY_N)}},
       {Action::ClearSelection, "clear selection", "Clear the selection", "Esc", {key(GLFW_KEY_ESCAPE)}},
+      {Action::SelectBox, "select box", "Select by a box", "B", {key(GLFW_KEY_B)}},
+      {Action::SelectAll, "select all", "Select all", "Ctrl A", {ctrl(GLFW_KEY_A)}},
+      {Action::SelectBorder, "select border", "Select the border", "Shift B", {shifted(GLFW_KEY_B)}},
+      {Action::SelectInverse, "select inverse", "Invert the selection", "Ctrl I", {ctrl(GLFW_KEY_I)}},
+      {Action::SelectMore,
+       "select more",
+       "Grow the selection",
+       "+",
+       {key(GLFW_KEY_EQUAL), key(GLFW_KEY_KP_ADD), shifted(GLFW_KEY_EQUAL), key(GLFW_KEY_RIGHT_BRACKET)}},
+      {Action::SelectLess,
+       "select less",
+       "Shrink the selection",
+       "−",
+       {key(GLFW_KEY_MINUS), key(GLFW_KEY_KP_SUBTRACT), key(GLFW_KEY_SLASH)}},
+      {Action::SelectConnected, "select connected", "Select all that is connected", "", {}},
+      {Action::StoreSelection, "store selection", "Store the selection", "", {}},
+      {Action::Pin, "pin", "Pin what is selected", "P", {key(GLFW_KEY_P)}},
+      {Action::Unpin, "unpin", "Unpin what is selected", "Shift P", {shifted(GLFW_KEY_P)}},
+      {Action::AddLayer, "add layer", "Add a layer", "", {}},
+      {Action::DuplicateLayer, "duplicate layer", "Duplicate the layer", "", {}},
+      {Action::RemoveLayer, "remove layer", "Remove the layer", "", {}},
+      {Action::NextLayer, "next layer", "Next layer", "Tab", {key(GLFW_KEY_TAB)}},
+      {Action::HideLayer, "hide layer", "Show or hide the layer", "H", {key(GLFW_KEY_H)}},
       {Action::Keys, "keys", "All keys", "? or F1", {key(GLFW_KEY_F1)}},
       {Action::Timings, "timings", "Timings", "", {}},
       {Action::About, "about", "About Planewright", "", {}},
@@ -79,6 +102,27 @@ bool Actions::enabled(Action action) const {
       return has_findings;
     case Action::LockRange:
       return state_.view_options.colours != ColourMap::None;
+    case Action::SelectBox:
+    case Action::SelectAll:
+    case Action::SelectBorder:
+    case Action::SelectInverse:
+      return has_design && state_.shown() != nullptr;
+    case Action::SelectMore:
+    case Action::SelectLess:
+    case Action::SelectConnected:
+    case Action::StoreSelection:
+      return has_design && !state_.selection().empty();
+    case Action::Pin:
+    case Action::Unpin:
+      return has_design && state_.shown() != nullptr &&
+             (!state_.selection().empty() || state_.selected_point.has_value());
+    case Action::AddLayer:
+    case Action::DuplicateLayer:
+    case Action::HideLayer:
+      return has_design;
+    case Action::RemoveLayer:
+    case Action::NextLayer:
+      return state_.layer_count() > 1;
     case Action::ClearSelection:
       return true;
     default:
@@ -107,6 +151,10 @@ bool Actions::checked(Action action) const {
       return view.colours == ColourMap::Displacement;
     case Action::LockRange:
       return view.lock_range;
+    case Action::SelectBox:
+      return state_.tool == Tool::Box;
+    case Action::HideLayer:
+      return state_.document().design().layers[static_cast<std::size_t>(state_.active_layer())].visible;
     case Action::Convergence:
       return window_.settings.convergence_open;
     case Action::DarkTheme:
@@ -158,9 +206,8 @@ void Actions::set_mode(ComplexKind mode) {
   settings.mode = mode;
   const int off = switch_off_undefined(settings);
   if (off > 0) {
-    state_.post(Message::Kind::Info,
-                format_count(off, "demand means", "demands mean") + " nothing in this mode and " +
-                    (off == 1 ? "is" : "are") + " off");
+    state_.post(Message::Kind::Info, format_count(off, "demand means", "demands mean") +
+                                         " nothing in this mode and " + (off == 1 ? "is" : "are") + " off");
   }
   state_.change_settings(std::move(settings), mode == ComplexKind::Dual ? "Mode dual" : "Mode planarize");
 }
@@ -176,6 +223,39 @@ void Actions::walk_findings(int by) {
   }
   at = (at + by + count) % count;
   show_finding(state_, window_, points[static_cast<std::size_t>(at)].point);
+}
+
+void Actions::change_selection(Action action) {
+  const PolygonMesh& mesh = *state_.document().mesh();
+  const ComplexKind kind = state_.shown()->complex().kind;
+  const SelectWhat what = state_.select_what;
+  Selection next;
+  switch (action) {
+    case Action::SelectAll:
+      next = everything(mesh, kind, what);
+      break;
+    case Action::SelectBorder:
+      next = along_border(mesh, kind, what, border_edges(mesh));
+      if (next.empty()) {
+        state_.post(Message::Kind::Info, "this design has no border");
+        return;
+      }
+      break;
+    case Action::SelectInverse:
+      next = inverted(mesh, kind, what, state_.selection());
+      break;
+    case Action::SelectMore:
+      next = grown(mesh, state_.selection());
+      break;
+    case Action::SelectLess:
+      next = shrunk(mesh, state_.selection());
+      break;
+    default:
+      next = whole_components(mesh, state_.selection());
+      break;
+  }
+  state_.clear_selection();
+  state_.select(std::move(next), Combine::Replace);
 }
 
 void Actions::run(Action action) {
@@ -264,11 +344,51 @@ void Actions::run(Action action) {
     case Action::ClearSelection:
       if (window_.show_keys || window_.show_about) {
         window_.show_keys = window_.show_about = false;
+      } else if (state_.tool != Tool::Look) {
+        state_.tool = Tool::Look;
       } else {
-        state_.selected_panel.reset();
-        state_.selected_point.reset();
+        state_.clear_selection();
       }
       break;
+    case Action::SelectBox:
+      state_.tool = state_.tool == Tool::Box ? Tool::Look : Tool::Box;
+      break;
+    case Action::SelectAll:
+    case Action::SelectBorder:
+    case Action::SelectInverse:
+    case Action::SelectMore:
+    case Action::SelectLess:
+    case Action::SelectConnected:
+      change_selection(action);
+      break;
+    case Action::StoreSelection:
+      state_.store_selection();
+      break;
+    case Action::Pin:
+      state_.pin_selection();
+      break;
+    case Action::Unpin:
+      state_.unpin_selection();
+      break;
+    case Action::AddLayer:
+      state_.add_layer();
+      break;
+    case Action::DuplicateLayer:
+      state_.duplicate_layer(state_.active_layer());
+      break;
+    case Action::RemoveLayer:
+      state_.remove_layer(state_.active_layer());
+      break;
+    case Action::NextLayer:
+      state_.set_active_layer((state_.active_layer() + 1) % state_.layer_count());
+      break;
+    case Action::HideLayer: {
+      Layer layer = state_.document().design().layers[static_cast<std::size_t>(state_.active_layer())];
+      layer.visible = !layer.visible;
+      std::string what = (layer.visible ? "Show " : "Hide ") + layer.name;
+      state_.change_layer(state_.active_layer(), std::move(layer), std::move(what));
+      break;
+    }
     case Action::Keys:
       window_.show_keys = !window_.show_keys;
       break;
@@ -282,47 +402,12 @@ void Actions::run(Action action) {
 }
 
 void show_finding(AppState& state, WindowState& window, int point) {
-  const auto& shown = state.shown();
-  if (!shown || point < 0 || point >= shown->points.rows()) return;
-  state.selected_point = point;
-  state.selected_panel.reset();
-  window.right_tab = 0;
-  window.look_at = LookAt{shown->points.row(point).transpose(), 5.0 * shown->complex().mean_edge};
+  show_element(state, window, {ElementKind::Point, point});
 }
 
 void show_element(AppState& state, WindowState& window, const ElementRef& element) {
-  const auto& shown = state.shown();
-  if (!shown || element.index < 0) return;
-  const TangentComplex& complex = shown->complex();
-  const auto point = [&](int j) -> Vector3d { return shown->points.row(j).transpose(); };
-  Vector3d place = Vector3d::Zero();
-  switch (element.kind) {
-    case ElementKind::Point:
-      if (element.index >= complex.point_count()) return;
-      place = point(element.index);
-      state.selected_panel.reset();
-      state.selected_point = element.index;
-      break;
-    case ElementKind::Panel: {
-      if (element.index >= complex.panels.size()) return;
-      const auto corners = complex.panels[element.index];
-      if (corners.empty()) return;
-      for (const int j : corners) place += point(j) / static_cast<double>(corners.size());
-      state.selected_point.reset();
-      state.selected_panel = element.index;
-      break;
-    }
-    case ElementKind::PanelEdge: {
-      if (element.index >= static_cast<int>(complex.panel_edges.size())) return;
-      const PanelEdge& edge = complex.panel_edges[static_cast<std::size_t>(element.index)];
-      place = 0.5 * (point(edge.a) + point(edge.b));
-      state.selected_point.reset();
-      state.selected_panel = edge.left >= 0 ? edge.left : edge.right;
-      break;
-    }
-  }
+  state.show_element(element);
   window.right_tab = 0;
-  window.look_at = LookAt{place, 5.0 * complex.mean_edge};
 }
 
 }  // namespace planewright::ui

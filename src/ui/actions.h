@@ -38,6 +38,21 @@ enum class Action {
   NextFinding,
   PreviousFinding,
   ClearSelection,
+  SelectBox,
+  SelectAll,
+  SelectBorder,
+  SelectInverse,
+  SelectMore,
+  SelectLess,
+  SelectConnected,
+  StoreSelection,
+  Pin,
+  Unpin,
+  AddLayer,
+  DuplicateLayer,
+  RemoveLayer,
+  NextLayer,
+  HideLayer,
   Keys,
   Timings,
   About,
@@ -76,6 +91,7 @@ class Actions {
  private:
   void run(Action action);
   void walk_findings(int by);
+  void change_selection(Action action);
   void set_mode(ComplexKind mode);
 
   AppState& state_;
@@ -85,8 +101,8 @@ class Actions {
 
 // Selects an ill-determined point and looks at it.
 void show_finding(AppState& state, WindowState& window, int point);
-// Selects what an element of the shown panels is and looks at it: a point, a panel, or the panel beside an
-// edge. Elements that the shown panels do not have are left alone.
+// Selects what an element of the shown panels is and looks at it. Elements that the shown panels do not have
+// are left alone.
 void show_element(AppState& state, WindowState& window, const ElementRef& element);
 
 }  // namespace planewright::ui

@@ -4,10 +4,12 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/design/design.h"
+#include "core/edit/design_edits.h"
+#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
 #include "core/problem/energies/energy_catalogue.h"
-#include "core/design/design.h"
 #include "ui/format.h"
 
 namespace planewright::ui {
@@ -98,22 +100,20 @@ void AppState::adopt(Loaded loaded) {
   document_.open(std::move(loaded.mesh), std::move(loaded.name), std::move(settings));
   ++opened_count_;
 
-  newest_.reset();
-  shown_.reset();
+  runs_.clear();
+  match_runs();
   ghost_.reset();
-  history_.clear();
-  history_ticket_ = 0;
-  report_.reset();
-  energies_.clear();
-  selected_panel.reset();
-  selected_point.reset();
+  clear_selection();
   planarity_range_ = displacement_range_ = 0.0;
   iterates_before_end_ = 0;
   last_fingerprint_ = 0;
   merging_ = false;
   start_afresh_ = true;
-  ignored_ticket_ = session_.current_ticket();
+  solving_run_ = 0;  // what the session still delivers is nobody's
+  outcome_due_ = false;
+  background_wanted_ = true;
   session_.stop();
+  refresh_stale();
 
   const Points& positions = document_.mesh()->positions();
   scene_origin_ = 0.5 * (positions.colwise().minCoeff() + positions.colwise().maxCoeff()).transpose();
@@ -128,11 +128,11 @@ void AppState::adopt(Loaded loaded) {
 }
 
 bool AppState::can_export() const {
-  return shown_ != nullptr && !exporter_.running();
+  return shown() != nullptr && !exporter_.running();
 }
 
 void AppState::export_panels(const std::filesystem::path& path) {
-  if (!shown_) {
+  if (!shown()) {
     post(Message::Kind::Warning, "there are no panels to export yet", {}, "Solve first.");
     return;
   }
@@ -141,7 +141,7 @@ void AppState::export_panels(const std::filesystem::path& path) {
     return;
   }
   exporter_.start(
-      [iterate = shown_->iterate, path]() -> Result<std::string> {
+      [iterate = shown()->iterate, path]() -> Result<std::string> {
         const Panels panels = panels_of(*iterate->complex, iterate->state);
         return save_mesh(path, panels.points, panels.polygons).map([&] { return path.string(); });
       },
@@ -152,9 +152,16 @@ void AppState::export_panels(const std::filesystem::path& path) {
 
 void AppState::change_settings(LayerSettings settings, std::string what, std::string merge_key) {
   if (document_.empty()) return;
+  Design design = document_.design();
+  design.layers[static_cast<std::size_t>(active_layer())].settings = std::move(settings);
+  change_design(std::move(design), std::move(what), std::move(merge_key));
+}
+
+void AppState::change_design(Design design, std::string what, std::string merge_key) {
+  if (document_.empty()) return;
   const auto before = document_.revision();
   const bool drags = !merge_key.empty();
-  document_.change_settings(std::move(settings), std::move(what), std::move(merge_key));
+  document_.change_design(std::move(design), std::move(what), std::move(merge_key));
   if (document_.revision() == before) return;
   merging_ = drags;
   document_changed();
@@ -191,7 +198,12 @@ void AppState::redo() {
 
 void AppState::document_changed() {
   if (!mesh_view_ || mesh_view_->mesh != document_.mesh()) refresh_mesh_view();
-  if (auto_solve_) solve_wanted_ = true;
+  match_runs();
+  load_reference();
+  refresh_stale();
+  show_settings_of_views();
+  background_wanted_ = auto_solve_;
+  if (auto_solve_ && active_run().stale) solve_wanted_ = true;
 }
 
 void AppState::refresh_mesh_view() {
@@ -205,35 +217,56 @@ void AppState::solve(Start start) {
   if (document_.empty()) return;
   start_afresh_ = start_afresh_ || start == Start::Afresh;
   solve_wanted_ = true;
+  background_wanted_ = true;
 }
 
 void AppState::stop() {
   solve_wanted_ = false;
+  background_wanted_ = false;
   session_.stop();
 }
 
 bool AppState::may_start(Clock::time_point now) const {
-  if (!solve_wanted_ || document_.empty()) return false;
-  if (!merging_ || !session_.running()) return true;
-  const bool stepped =
-      history_ticket_ == session_.current_ticket() && !history_.empty() && history_.back().number >= 1;
+  if (!solve_wanted_ || document_.empty() || !reference_ready()) return false;
+  const LayerRun& active = run(active_layer());
+  if (!merging_ || !outcome_due_ || solving_run_ != active.id) return true;
+  const bool stepped = active.history_ticket == session_.current_ticket() && !active.history.empty() &&
+                       active.history.back().number >= 1;
   return stepped && now - last_start_ >= kRestartInterval;
 }
 
-void AppState::start_solve(Clock::time_point now) {
+void AppState::start_solve(int layer, Clock::time_point now) {
+  LayerRun& of = runs_[static_cast<std::size_t>(layer)];
+  if (outcome_due_ && solving_run_ != of.id) {
+    // It is superseded, and has to be solved another time.
+    if (LayerRun* superseded = find_run(solving_run_)) superseded->started.reset();
+  }
+  const bool afresh = start_afresh_ && layer == active_layer();
+  LayerInputs inputs = inputs_of(layer);
   SolveRequest request;
-  request.mesh = document_.mesh();
-  request.settings = document_.settings();
-  if (!start_afresh_ && newest_ && newest_->complex->kind == request.settings.mode)
-    request.warm_start = newest_;
-  session_.start(std::move(request));
-  solve_wanted_ = false;
-  start_afresh_ = false;
-  solved_revision_ = document_.revision();
+  request.mesh = inputs.mesh;
+  request.settings = inputs.settings;
+  request.selections = inputs.selections;
+  request.reference = inputs.reference;
+  if (inputs.neighbour) {
+    request.neighbour = std::make_shared<const NeighbourLayer>(
+        NeighbourLayer{inputs.neighbour->complex, inputs.neighbour->state});
+  }
+  if (!afresh && of.newest && of.newest->complex->kind == request.settings.mode)
+    request.warm_start = of.newest;
+  of.ticket = session_.start(std::move(request));
+  of.started = std::move(inputs);
+  of.failed = false;
+  solving_run_ = of.id;
+  outcome_due_ = true;
   last_start_ = now;
-  iterates_before_end_ = 0;
-  last_fingerprint_ = 0;
-  outcome_failed_ = false;
+  if (layer == active_layer()) {
+    solve_wanted_ = false;
+    start_afresh_ = false;
+    iterates_before_end_ = 0;
+    last_fingerprint_ = 0;
+  }
+  refresh_stale();
 }
 
 std::optional<Clock::time_point> AppState::next_deadline() const {
@@ -261,10 +294,16 @@ bool AppState::update(Clock::time_point now) {
       post(exported->error());
     }
   }
+  changed |= load_reference();
   changed |= drain();
   if (may_start(now)) {
-    start_solve(now);
+    start_solve(active_layer(), now);
     changed = true;
+  } else if (!outcome_due_ && !solve_wanted_) {
+    if (const int next = next_waiting(); next >= 0) {
+      start_solve(next, now);
+      changed = true;
+    }
   }
   const auto old = std::remove_if(messages_.begin(), messages_.end(), [&](const Message& m) {
     return m.kind == Message::Kind::Info && now - m.posted > 8s;
@@ -277,27 +316,33 @@ bool AppState::update(Clock::time_point now) {
 bool AppState::drain() {
   const Stopwatch watch;
   bool changed = false;
-  const bool ours = session_.current_ticket() > ignored_ticket_;  // not the design before
-  if (auto iterate = session_.take_iterate(); iterate && ours) {
-    newest_ = std::move(iterate);
-    preparer_.submit({newest_, scene_origin_, false});
+  LayerRun* const of = find_run(solving_run_);  // null: what comes belongs to a design or layer that is gone
+  if (auto iterate = session_.take_iterate(); iterate && of != nullptr) {
+    of->newest = std::move(iterate);
+    of->newest_final = false;
+    submit(*of);
     changed = true;
   }
   drained_.clear();
   session_.drain_iterations(drained_);
-  if (!drained_.empty() && ours) {
-    if (history_ticket_ != session_.current_ticket()) {
-      history_.clear();
-      history_ticket_ = session_.current_ticket();
+  if (!drained_.empty() && of != nullptr) {
+    if (of->history_ticket != of->ticket) {
+      of->history.clear();
+      of->history_ticket = of->ticket;
     }
-    take_energies();
-    history_.insert(history_.end(), std::make_move_iterator(drained_.begin()),
-                    std::make_move_iterator(drained_.end()));
+    take_energies(*of);
+    of->history.insert(of->history.end(), std::make_move_iterator(drained_.begin()),
+                       std::make_move_iterator(drained_.end()));
     changed = true;
   }
-  if (auto outcome = session_.take_outcome(); outcome && ours) {
-    take_outcome(std::move(*outcome));
-    changed = true;
+  if (auto outcome = session_.take_outcome()) {
+    if (of != nullptr) {
+      outcome_due_ = false;
+      take_outcome(*of, std::move(*outcome));
+      refresh_stale();
+      show_settings_of_views();
+      changed = true;
+    }
   }
   if (auto ghost = preparer_.take_ghost(); ghost && ghost->mesh == mesh_view_) {
     ghost_ = std::move(ghost);
@@ -309,70 +354,87 @@ bool AppState::drain() {
 }
 
 // Of the newest step that knows them; the solver's restoration does not.
-void AppState::take_energies() {
+void AppState::take_energies(LayerRun& of) {
   for (auto step = drained_.rbegin(); step != drained_.rend(); ++step) {
     if (step->energies.empty()) continue;
-    energies_.clear();
-    for (const auto& share : step->energies) energies_.push_back({share.name, share.weight, share.value});
+    of.energies.clear();
+    for (const auto& share : step->energies) of.energies.push_back({share.name, share.weight, share.value});
     return;
   }
 }
 
-void AppState::take_outcome(SolveOutcome outcome) {
-  finished_ticket_ = outcome.ticket;
+void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
+  const std::string where = layer_count() > 1 ? document_.name() + ", " + of.layer.name : document_.name();
   if (!outcome.report) {
-    outcome_failed_ = true;
-    report_.reset();
+    of.failed = true;
+    of.report.reset();
     post(outcome.report.error());
     return;
   }
-  report_ = std::move(*outcome.report);
-  if (!report_->energies.empty()) energies_ = report_->energies;
-  if (!outcome.complex || report_->state.x.rows() == 0) {
-    outcome_failed_ = true;
+  of.report = std::move(*outcome.report);
+  SolveReport& report = *of.report;
+  if (!report.energies.empty()) of.energies = report.energies;
+  if (!outcome.complex || report.state.x.rows() == 0) {
+    of.failed = true;
     return;
   }
   auto iterate = std::make_shared<Iterate>();
   iterate->ticket = outcome.ticket;
   iterate->complex = std::move(outcome.complex);
-  iterate->state = std::move(report_->state);
-  if (history_ticket_ == outcome.ticket && !history_.empty()) iterate->iteration = history_.back();
-  report_->state = State();
-  newest_ = std::move(iterate);
-  preparer_.submit({newest_, scene_origin_, true});
-  if (report_->status == SolveStatus::Failed || report_->status == SolveStatus::Infeasible ||
-      report_->status == SolveStatus::NotPlanar) {
-    post(Message::Kind::Warning, std::string("the solve ended: ") + planewright::name(report_->status),
-         document_.name(), report_->stop_reason);
+  iterate->state = std::move(report.state);
+  if (of.history_ticket == outcome.ticket && !of.history.empty()) iterate->iteration = of.history.back();
+  report.state = State();
+  of.newest = std::move(iterate);
+  of.newest_final = true;
+  of.finished = of.newest;
+  submit(of);
+  if (report.status == SolveStatus::Failed || report.status == SolveStatus::Infeasible ||
+      report.status == SolveStatus::NotPlanar) {
+    post(Message::Kind::Warning, std::string("the solve ended: ") + planewright::name(report.status), where,
+         report.stop_reason);
   }
 }
 
 bool AppState::show_prepared() {
-  auto next = preparer_.take();
-  // Stale: its design has changed since.
-  if (!next || next->ticket() != session_.current_ticket() || next->ticket() <= ignored_ticket_) return false;
-  timings.prepare.add(next->milliseconds);
+  bool changed = false;
+  while (auto next = preparer_.take()) {
+    LayerRun* const of = find_run(next->layer);
+    // Stale: its design or layer is gone, or solved anew since.
+    if (of == nullptr || next->ticket() != of->ticket) continue;
+    timings.prepare.add(next->milliseconds);
+    show_view(*of, std::move(next));
+    changed = true;
+  }
+  return changed;
+}
 
-  const bool first_of_solve = !shown_ || shown_->ticket() != next->ticket();
-  if (shown_ && (shown_->complex().kind != next->complex().kind ||
-                 shown_->complex().plane_count() != next->complex().plane_count())) {
-    selected_panel.reset();
+void AppState::show_view(LayerRun& of, std::shared_ptr<const PreparedView> next) {
+  if (&of == &active_run()) {
+    const auto& before = of.shown;
+    const bool first_of_solve = !before || before->ticket() != next->ticket();
+    if (before && (before->complex().kind != next->complex().kind ||
+                   before->complex().plane_count() != next->complex().plane_count())) {
+      selected_panel.reset();
+      selected_edge.reset();
+    }
+    if (before && before->complex().point_count() != next->complex().point_count()) {
+      selected_point.reset();
+      selected_edge.reset();
+    }
+    const bool ended = !(outcome_due_ && solving_run_ == of.id);
+    if (!next->final && !ended && (first_of_solve || next->fingerprint != last_fingerprint_)) {
+      ++iterates_before_end_;
+    }
+    last_fingerprint_ = next->fingerprint;
+    if (!view_range_locked()) {
+      const double floor = kLeastRange * next->complex().mean_edge;
+      const double planarity = std::max(next->planarity.max, floor);
+      const double displacement = std::max(next->displacement.max, floor);
+      planarity_range_ = first_of_solve ? planarity : std::max(planarity_range_, planarity);
+      displacement_range_ = first_of_solve ? displacement : std::max(displacement_range_, displacement);
+    }
   }
-  if (shown_ && shown_->complex().point_count() != next->complex().point_count()) selected_point.reset();
-  if (!next->final && finished_ticket_ != next->ticket() &&
-      (first_of_solve || next->fingerprint != last_fingerprint_)) {
-    ++iterates_before_end_;
-  }
-  last_fingerprint_ = next->fingerprint;
-  if (!view_range_locked()) {
-    const double floor = kLeastRange * next->complex().mean_edge;
-    const double planarity = std::max(next->planarity.max, floor);
-    const double displacement = std::max(next->displacement.max, floor);
-    planarity_range_ = first_of_solve ? planarity : std::max(planarity_range_, planarity);
-    displacement_range_ = first_of_solve ? displacement : std::max(displacement_range_, displacement);
-  }
-  shown_ = std::move(next);
-  return true;
+  of.shown = std::move(next);
 }
 
 bool AppState::view_range_locked() const {
@@ -382,17 +444,17 @@ bool AppState::view_range_locked() const {
 // --- What is shown ---------------------------------------------------------------------------
 
 bool AppState::settled() const {
-  if (loading() || load_next_ || solve_wanted_ || session_.running()) return false;
+  if (loading() || load_next_ || solving() || !reference_ready()) return false;
   if (mesh_view_ && (!ghost_ || ghost_->mesh != mesh_view_)) return false;
-  if (document_.empty() || session_.current_ticket() <= ignored_ticket_) return true;
-  if (finished_ticket_ != session_.current_ticket()) return false;
-  return outcome_failed_ || (shown_ && shown_->final && shown_->ticket() == finished_ticket_);
+  return std::all_of(runs_.begin(), runs_.end(), [](const LayerRun& of) {
+    return of.failed || of.submitted == (of.shown ? of.shown->number : 0);
+  });
 }
 
 double AppState::milliseconds_per_step() const {
-  if (history_.size() < 2) return 0.0;
-  const Iteration& first = history_.front();
-  const Iteration& last = history_.back();
+  if (history().size() < 2) return 0.0;
+  const Iteration& first = history().front();
+  const Iteration& last = history().back();
   if (last.number <= first.number) return 0.0;
   return 1000.0 * (last.seconds - first.seconds) / (last.number - first.number);
 }
@@ -410,7 +472,19 @@ double AppState::colour_range() const {
 }
 
 double AppState::planarity_tolerance() const {
-  return shown_ ? kPlanarityTolerance * shown_->complex().mean_edge : 0.0;
+  return shown() ? kPlanarityTolerance * shown()->complex().mean_edge : 0.0;
+}
+
+double AppState::mean_edge() const {
+  if (shown()) return shown()->complex().mean_edge;
+  if (document_.empty()) return 0.0;
+  const PolygonMesh& mesh = *document_.mesh();
+  double sum = 0.0;
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    const MeshEdge edge = mesh.edge(e);
+    sum += (mesh.positions().row(edge.a) - mesh.positions().row(edge.b)).norm();
+  }
+  return mesh.edge_count() > 0 ? sum / mesh.edge_count() : 0.0;
 }
 
 // --- Messages --------------------------------------------------------------------------------

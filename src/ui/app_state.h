@@ -2,6 +2,10 @@
 // it is shown, what is selected, and the messages to the designer. No OpenGL, no Dear ImGui; a test can drive
 // it.
 //
+// Layers share one solver: a change to the active layer is solved at once; the others follow one after
+// another when what they were solved from (mesh, settings, selections, reference, the layer they are to be
+// coplanar with) is another one now. Each keeps its own newest state, report and view.
+//
 // A frame of the window calls update() once: it takes what the workers have ready, drops what is stale, and
 // starts the solve that a change asks for. Nothing here waits for a worker.
 //
@@ -18,10 +22,12 @@
 #include <utility>
 #include <vector>
 
-#include "core/edit/document.h"
 #include "core/design/solve_session.h"
+#include "core/edit/document.h"
+#include "core/edit/select.h"
 #include "ui/background_task.h"
 #include "ui/frame_timings.h"
+#include "ui/look_at.h"
 #include "ui/mesh_view.h"
 #include "ui/view_preparer.h"
 
@@ -50,6 +56,20 @@ struct Message {
   Clock::time_point posted;
 };
 
+// What a left drag over the model does: orbit, or draw a box that selects.
+enum class Tool { Look, Box };
+
+// How a layer stands.
+enum class LayerStatus {
+  Waiting,    // to be solved
+  Solving,    // at present
+  Done,       // converged, every demand met
+  Planar,     // planar, but stopped before it converged
+  Unmet,      // a demand is not met, or panels cross the mesh
+  NotPlanar,  // no planar state
+  Failed,     // refused, or broken down
+};
+
 class AppState {
  public:
   // `wake`: called from workers when there is something to take; may be empty.
@@ -72,17 +92,67 @@ class AppState {
   // --- Edits. Each re-solves (or, without auto-solve, waits for the designer to say so).
   const Document& document() const { return document_; }
   void change_settings(LayerSettings settings, std::string what, std::string merge_key = {});
+  void change_design(Design design, std::string what, std::string merge_key = {});
   void end_merge();
   bool flip_edge(int edge);  // a refusal becomes a message
   void undo();
   void redo();
 
+  // --- Layers. The active one is what edits, picking, findings and colours are about.
+  int layer_count() const { return static_cast<int>(document_.design().layers.size()); }
+  int active_layer() const { return document_.active_layer(); }
+  void set_active_layer(int layer);
+  void add_layer();  // and makes it the active one; so does the next
+  void duplicate_layer(int layer);
+  void remove_layer(int layer);  // the last one stays
+  void change_layer(int layer, Layer changed, std::string what, std::string merge_key = {});
+  LayerStatus layer_status(int layer) const;
+  // Demands that the layer's newest report finds violated, crossings included.
+  int unmet_demands(int layer) const;
+  const std::shared_ptr<const PreparedView>& shown(int layer) const { return run(layer).shown; }
+  const SolveReport* report(int layer) const { return run(layer).report ? &*run(layer).report : nullptr; }
+  std::optional<int> solving_layer() const;  // that the solver works on
+  double mean_edge() const;                  // of the shown panels, else of the mesh; 0 without one
+
+  // --- Selecting: elements of the mesh, as core/edit/select.h names them; and what was pointed at last.
+  const Selection& selection() const { return selection_; }
+  std::uint64_t selection_changes() const { return selection_changes_; }
+  void select(Selection selection, Combine how);
+  void select_panel(int panel, Combine how);  // of the shown panels
+  void select_point(int point, Combine how);
+  void clear_selection();
+  // Selects what an element of the shown panels is, and asks the viewport to go there.
+  void show_element(const ElementRef& element);
+  std::optional<LookAt> take_look_at() { return std::exchange(look_at_, std::nullopt); }
+  // The selection under a name, as a step of undo; empty: a new name. Nothing selected: a message.
+  void store_selection(std::string name = {});
+  bool rename_selection(const std::string& from, const std::string& to);  // a refusal becomes a message
+  void remove_selection(const std::string& name);
+
+  // --- Pins of the active layer.
+  // Holds what is selected where it is shown: points by all three coordinates, panels in their planes.
+  // Returns how many are new or moved.
+  int pin_selection();
+  int unpin_selection();
+  void change_pin(int pin, Pin changed, std::string what, std::string merge_key = {});
+  // To a place in scene coordinates; coordinates that are not held stay free. One step of undo until
+  // end_merge().
+  void move_pin(int pin, const Vector3d& place);
+  void remove_pin(int pin);
+  void remove_plane_pin(int pin);
+  // Where a pin holds its point, scene coordinates; what is not held is where the point is shown. Nothing
+  // where the shown panels do not have the point.
+  std::optional<Vector3d> pin_place(const Pin& pin) const;
+  std::optional<int> shown_point(const PointOrigin& origin) const;
+  std::optional<int> shown_panel(int plane_origin) const;
+
   // --- Solving.
   enum class Start { Warm, Afresh };  // from the newest state, or from the builder's own
   void solve(Start start = Start::Warm);
   void stop();
-  bool solving() const { return solve_wanted_ || session_.running(); }
-  bool up_to_date() const { return solved_revision_ == document_.revision(); }
+  bool solving() const { return solve_wanted_ || outcome_due_ || next_waiting() >= 0; }
+  // Whether what the active layer was last solved from, or is being solved from, is the present design.
+  bool up_to_date() const { return document_.empty() || !run(active_layer()).stale; }
   void set_auto_solve(bool on) { auto_solve_ = on; }
   bool auto_solve() const { return auto_solve_; }
 
@@ -98,13 +168,13 @@ class AppState {
   const std::shared_ptr<const PreparedGhost>& ghost() const { return ghost_; }
   // The newest prepared state, or null before the first iterate of a design. While a newer solve has not
   // delivered yet, this is the last good state of the one before.
-  const std::shared_ptr<const PreparedView>& shown() const { return shown_; }
-  // Scalars of the newest solve that has delivered some.
-  const std::vector<Iteration>& history() const { return history_; }
-  // How the newest finished solve ended; null while a solve of another state is under way for the first time.
-  const SolveReport* report() const { return report_ ? &*report_ : nullptr; }
+  const std::shared_ptr<const PreparedView>& shown() const { return shown(active_layer()); }
+  // Scalars of the newest solve of the active layer that has delivered some.
+  const std::vector<Iteration>& history() const { return run(active_layer()).history; }
+  // How the active layer's newest finished solve ended; null before the first.
+  const SolveReport* report() const { return report(active_layer()); }
   // What each energy adds to the objective: of the newest step while a solve runs, else of the report.
-  const std::vector<SolveReport::Energy>& energies() const { return energies_; }
+  const std::vector<SolveReport::Energy>& energies() const { return run(active_layer()).energies; }
   // All shown work belongs to the newest change, and nothing is under way.
   bool settled() const;
   double milliseconds_per_step() const;  // mean over the history; 0 if unknown
@@ -117,8 +187,12 @@ class AppState {
   double planarity_tolerance() const;  // model units: below it a panel counts as planar
 
   ViewOptions view_options;
+  Tool tool = Tool::Look;
+  SelectWhat select_what = SelectWhat::Panels;  // what boxes, loops and the border select
+  // What was pointed at last, of the shown panels; at most one of them.
   std::optional<int> selected_panel;
   std::optional<int> selected_point;
+  std::optional<int> selected_edge;  // a panel edge
 
   // --- Messages.
   const std::vector<Message>& messages() const { return messages_; }
@@ -135,17 +209,61 @@ class AppState {
     std::string name;
   };
 
+  // What a layer is solved from.
+  struct LayerInputs {
+    std::shared_ptr<const PolygonMesh> mesh;
+    LayerSettings settings;             // with what coplanar_with demands
+    std::vector<Selection> selections;  // that the demands name
+    std::shared_ptr<const ReferenceSurface> reference;
+    std::shared_ptr<const Iterate> neighbour;
+    bool operator==(const LayerInputs&) const = default;
+  };
+  // What is known of a layer besides its settings.
+  struct LayerRun {
+    std::uint64_t id = 0;
+    Layer layer;                            // as the document last had it
+    std::optional<LayerInputs> started;     // of the newest solve; none: never, or it was superseded
+    bool stale = true;                      // the present inputs are others
+    std::uint64_t ticket = 0;               // of the newest solve
+    std::shared_ptr<const Iterate> newest;  // that any solve delivered
+    bool newest_final = false;
+    std::shared_ptr<const Iterate> finished;  // the newest outcome; what other layers are fitted to
+    std::shared_ptr<const PreparedView> shown;
+    std::uint64_t submitted = 0;  // number of the newest job for the preparer
+    double thickness = 0.0;       // that job's
+    std::shared_ptr<const Iterate> beams_to;
+    std::vector<Iteration> history;
+    std::uint64_t history_ticket = 0;
+    std::optional<SolveReport> report;
+    std::vector<SolveReport::Energy> energies;
+    bool failed = false;  // the newest outcome had no state to show
+  };
+  using LoadedReference = std::pair<std::string, Result<std::shared_ptr<const ReferenceSurface>>>;
+
+  const LayerRun& run(int layer) const;
+  LayerRun& active_run() { return runs_[static_cast<std::size_t>(active_layer())]; }
+  LayerRun* find_run(std::uint64_t id);
+  void match_runs();     // with the document's layers, after these have changed
+  void refresh_stale();  // after anything that layers are solved from has changed
+  LayerInputs inputs_of(int layer) const;
+  int next_waiting() const;  // the layer to be solved next in the background, -1: none
+  void show_settings_of_views();
+  void submit(LayerRun& of);
+  bool load_reference();
+  bool reference_ready() const;
+
   void begin_load(std::string name, std::function<Result<Loaded>()> load);
   void adopt(Loaded loaded);
   void document_changed();
   void refresh_mesh_view();
   bool drain();
-  void take_energies();
-  void take_outcome(SolveOutcome outcome);
+  void take_energies(LayerRun& of);
+  void take_outcome(LayerRun& of, SolveOutcome outcome);
   bool show_prepared();
+  void show_view(LayerRun& of, std::shared_ptr<const PreparedView> next);
   bool view_range_locked() const;
   bool may_start(Clock::time_point now) const;
-  void start_solve(Clock::time_point now);
+  void start_solve(int layer, Clock::time_point now);
 
   std::function<void()> wake_;
   Document document_;
@@ -159,14 +277,20 @@ class AppState {
   std::shared_ptr<const MeshView> mesh_view_;
   std::shared_ptr<const PreparedGhost> ghost_;
 
-  std::shared_ptr<const Iterate> newest_;  // the newest state that any solve of this design delivered
-  std::shared_ptr<const PreparedView> shown_;
-  std::vector<Iteration> history_;
-  std::uint64_t history_ticket_ = 0;
-  std::optional<SolveReport> report_;
-  std::vector<SolveReport::Energy> energies_;
-  std::uint64_t finished_ticket_ = 0;  // its outcome was taken
-  bool outcome_failed_ = false;        // that outcome had no state to show
+  std::vector<LayerRun> runs_{LayerRun{}};  // one per layer
+  std::uint64_t next_run_ = 1;
+  std::uint64_t next_job_ = 1;
+  std::uint64_t solving_run_ = 0;   // whose ticket the session works on; 0: nobody's
+  bool outcome_due_ = false;        // of that ticket
+  bool background_wanted_ = false;  // layers that are stale are solved in turn
+  std::shared_ptr<const ReferenceSurface> reference_;
+  std::string reference_path_;  // that reference_ was read from, or could not be
+  BackgroundTask<LoadedReference> reference_loader_;
+
+  Selection selection_;
+  std::uint64_t selection_changes_ = 0;
+  std::optional<LookAt> look_at_;
+
   int iterates_before_end_ = 0;
   std::uint64_t last_fingerprint_ = 0;
   double planarity_range_ = 0.0, displacement_range_ = 0.0;
@@ -175,8 +299,6 @@ class AppState {
   bool solve_wanted_ = false;
   bool start_afresh_ = false;
   bool merging_ = false;  // a slider is being dragged
-  std::uint64_t solved_revision_ = 0;
-  std::uint64_t ignored_ticket_ = 0;  // tickets up to here belong to designs that were closed
   Clock::time_point last_start_{};
   std::vector<Iteration> drained_;
 

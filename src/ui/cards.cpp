@@ -69,8 +69,11 @@ void draw_keys_card(Desk& desk) {
     if (close_cross(ui, "close")) desk.window.show_keys = false;
     ui.separator();
     ImGui::BeginGroup();
+    const auto selects = [](Action action) {
+      return action >= Action::SelectBox && action <= Action::HideLayer;
+    };
     for (const ActionInfo& action : action_list()) {
-      if (action.shortcut.empty()) continue;
+      if (action.shortcut.empty() || selects(action.action)) continue;
       const std::string label =
           action.action == Action::SolveOrStop ? "Solve, or stop and keep the best" : action.label;
       key_row(ui, action.shortcut.c_str(), label.c_str());
@@ -83,7 +86,16 @@ void draw_keys_card(Desk& desk) {
     key_row(ui, "wheel", "zoom to the mouse");
     key_row(ui, "double click", "centre on the point");
     key_row(ui, "click an edge", "flip it and solve again");
-    key_row(ui, "click a panel", "select it");
+    key_row(ui, "click", "select a panel or corner");
+    key_row(ui, "shift, ctrl click", "select more, or less");
+    key_row(ui, "alt click", "select the loop through an edge");
+    key_row(ui, "drag a pin", "move it in the view's plane");
+    ui.gap(14);
+    ui.heading("Selection and layers");
+    for (const ActionInfo& action : action_list()) {
+      if (!action.shortcut.empty() && selects(action.action))
+        key_row(ui, action.shortcut.c_str(), action.label.c_str());
+    }
     ui.gap(14);
     ui.heading("Sliders");
     key_row(ui, "drag, wheel", "change");

@@ -154,6 +154,7 @@ void draw_design_panel(Desk& desk, const Rect& place) {
     const float solve = solve_height(ui);
     ImGui::BeginChild("sections", ImVec2(ImGui::GetContentRegionAvail().x + ui.px(10),
                                          std::max(ImGui::GetContentRegionAvail().y - solve, ui.px(80))));
+    if (ui.section("layers", "Layers", state.layer_count() > 1, layers_summary(desk))) draw_layers(desk);
     const HealthReport& health = state.document().health();
     const bool healthy = health.healthy();
     if (ui.section("input", "Input", false, healthy ? "healthy" : "repaired",

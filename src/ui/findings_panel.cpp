@@ -123,54 +123,6 @@ void draw_energy_table(Desk& desk) {
   line("Objective", "", format_number(total), "", ui.theme().bold(), ui.colours().ink);
 }
 
-void draw_selection(Desk& desk) {
-  Ui& ui = desk.ui;
-  const AppState& state = desk.state;
-  const auto& shown = state.shown();
-  const std::string& unit = desk.window.settings.unit;
-  if (!shown || (!state.selected_panel && !state.selected_point)) {
-    ui.small_text("Click a panel or a marked corner.");
-    return;
-  }
-  if (state.selected_point && *state.selected_point < shown->points.rows()) {
-    const int point = *state.selected_point;
-    const TangentComplex& complex = shown->complex();
-    ui.heading("Corner " + format_count(point));
-    ui.value_row("Planes through it", format_count(complex.planes_of_point.valence(point)));
-    for (const IllDetermined& finding : shown->ill_determined) {
-      if (finding.point == point) {
-        ui.value_row(
-            "Singular value", format_number(finding.singular_value), ui.colours().warning,
-            "Third singular value of the normals' matrix: 0 where the planes are parallel, 1 where they are "
-            "perpendicular");
-      }
-    }
-    ui.value_row("Moved by", format_with_unit(shown->displacement.per_point[point], unit));
-    const Vector3d at = shown->points.row(point).transpose() + state.scene_origin();
-    ui.value_row("x", format_with_unit(at.x(), unit));
-    ui.value_row("y", format_with_unit(at.y(), unit));
-    ui.value_row("z", format_with_unit(at.z(), unit));
-    return;
-  }
-  if (!state.selected_panel || *state.selected_panel >= shown->complex().panels.size()) return;
-  const int panel = *state.selected_panel;
-  const auto corners = shown->complex().panels[panel];
-  double shortest = 1e300, longest = 0;
-  for (std::size_t k = 0; k < corners.size(); ++k) {
-    const double length =
-        (shown->points.row(corners[k]) - shown->points.row(corners[(k + 1) % corners.size()])).norm();
-    shortest = std::min(shortest, length);
-    longest = std::max(longest, length);
-  }
-  const double area = 0.5 * newell_vector(shown->points, corners).norm();
-  ui.heading("Panel " + format_count(panel));
-  ui.value_row("Corners", format_count(static_cast<std::int64_t>(corners.size())));
-  ui.value_row("Area", format_with_unit(area, unit + "²"));
-  ui.value_row("Edges",
-               corners.empty() ? "–" : format_number(shortest) + " to " + format_with_unit(longest, unit));
-  ui.value_row("Off its plane", format_with_unit(shown->planarity.per_panel[panel], unit));
-}
-
 void draw_findings_panel(Desk& desk, const Rect& place) {
   Ui& ui = desk.ui;
   if (!begin_part("##findings", place, ImVec2(ui.px(14), ui.px(10)))) return;
@@ -183,6 +135,9 @@ void draw_findings_panel(Desk& desk, const Rect& place) {
     if (count > 0) title += "  " + format_count(static_cast<std::int64_t>(count));
     if (ui.section("ill", title)) draw_ill_determined(desk);
     if (ui.section("selection", "Selection")) draw_selection(desk);
+    const Demands& demands = desk.state.document().settings().demands;
+    const auto pins = static_cast<std::int64_t>(demands.pins.size() + demands.plane_pins.size());
+    if (ui.section("pins", "Pins", true, pins > 0 ? format_count(pins) : "")) draw_pins(desk);
     if (ui.section("energies", "Energies")) draw_energy_table(desk);
   } else {
     draw_report(desk);

@@ -16,7 +16,8 @@ void item(Desk& desk, Action action) {
   const bool enabled = desk.actions.enabled(action);
   const bool toggles = action == Action::AutoSolve || action == Action::Ghost || action == Action::Markers ||
                        action == Action::LockRange || action == Action::Convergence ||
-                       action == Action::DarkTheme || action == Action::ModeDual ||
+                       action == Action::DarkTheme || action == Action::HideLayer ||
+                       action == Action::SelectBox || action == Action::ModeDual ||
                        action == Action::ModePlanarize || action == Action::ColourNone ||
                        action == Action::ColourPlanarity || action == Action::ColourDisplacement;
   if (ImGui::MenuItem(desk.actions.label(action).c_str(), what.shortcut.c_str(),
@@ -75,7 +76,14 @@ float draw_menu_bar(Desk& desk) {
       item(desk, Action::Undo);
       item(desk, Action::Redo);
       ImGui::Separator();
-      item(desk, Action::ClearSelection);
+      for (const Action action : {Action::SelectBox, Action::SelectAll, Action::SelectBorder,
+                                  Action::SelectInverse, Action::SelectMore, Action::SelectLess,
+                                  Action::SelectConnected, Action::ClearSelection, Action::StoreSelection}) {
+        item(desk, action);
+      }
+      ImGui::Separator();
+      item(desk, Action::Pin);
+      item(desk, Action::Unpin);
       ImGui::EndMenu();
     }
     if (begin_menu(desk, "View")) {
@@ -104,6 +112,14 @@ float draw_menu_bar(Desk& desk) {
           ui.record_item(unit);
         }
         ImGui::EndMenu();
+      }
+      ImGui::EndMenu();
+    }
+    if (begin_menu(desk, "Layer")) {
+      const Ui::Scope inner(ui, "Menu/Layer");
+      for (const Action action : {Action::AddLayer, Action::DuplicateLayer, Action::RemoveLayer,
+                                  Action::NextLayer, Action::HideLayer}) {
+        item(desk, action);
       }
       ImGui::EndMenu();
     }

@@ -74,6 +74,8 @@ std::optional<KeyPress> parse_key(const std::string& text) {
       {"Down", GLFW_KEY_DOWN},   {"Tab", GLFW_KEY_TAB},       {"Backspace", GLFW_KEY_BACKSPACE}};
   if (const auto named = kNamed.find(rest); named != kNamed.end()) {
     press.key = named->second;
+  } else if (rest == "+" || rest == "-") {
+    press.key = rest == "+" ? GLFW_KEY_KP_ADD : GLFW_KEY_KP_SUBTRACT;
   } else if (rest.size() == 1 && ((rest[0] >= 'A' && rest[0] <= 'Z') || (rest[0] >= '0' && rest[0] <= '9'))) {
     press.key = rest[0];
   } else {
@@ -191,6 +193,16 @@ const std::vector<std::string>& state_keys() {
                                                 "selected_panel",
                                                 "selected_point",
                                                 "hovered_edge",
+                                                "selected",
+                                                "selected_vertices",
+                                                "selected_edges",
+                                                "selected_faces",
+                                                "stored",
+                                                "pins",
+                                                "plane_pins",
+                                                "tool",
+                                                "layers",
+                                                "active_layer",
                                                 "browser_open",
                                                 "camera",
                                                 "drain_median_ms",
@@ -282,6 +294,66 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   }
   if (key == "selected_panel") return count(state.selected_panel.value_or(-1));
   if (key == "selected_point") return count(state.selected_point.value_or(-1));
+  if (key == "selected_edge") return count(state.selected_edge.value_or(-1));
+  if (key == "selected") return count(element_count(state.selection()));
+  if (key == "selected_vertices") return count(state.selection().vertices.size());
+  if (key == "selected_edges") return count(state.selection().edges.size());
+  if (key == "selected_faces") return count(state.selection().faces.size());
+  if (key == "stored") return count(document.design().selections.size());
+  if (key.starts_with("stored.")) {
+    const auto index = number_in(key.substr(7));
+    if (!index || *index < 0 || *index >= static_cast<double>(document.design().selections.size()))
+      return std::nullopt;
+    return document.design().selections[static_cast<std::size_t>(*index)].name;
+  }
+  if (key == "pins") return count(document.settings().demands.pins.size());
+  if (key == "plane_pins") return count(document.settings().demands.plane_pins.size());
+  if (key.starts_with("pin.")) {  // pin.N.x: where it holds; pin.N.off: how far its point is from there
+    const std::size_t dot = key.find('.', 4);
+    const auto index = number_in(key.substr(4, dot == std::string::npos ? dot : dot - 4));
+    const auto& pins = document.settings().demands.pins;
+    if (!index || dot == std::string::npos || *index < 0 || *index >= static_cast<double>(pins.size()))
+      return std::nullopt;
+    const Pin& pin = pins[static_cast<std::size_t>(*index)];
+    const std::string what = key.substr(dot + 1);
+    if (what == "off") {
+      const auto place = state.pin_place(pin);
+      const auto point = state.shown_point(pin.point);
+      if (!place || !point) return std::nullopt;
+      return text_of((*place - Vector3d(shown->points.row(*point).transpose())).norm());
+    }
+    if (what != "x" && what != "y" && what != "z") return std::nullopt;
+    const auto& held = pin.at[static_cast<std::size_t>(what[0] - 'x')];
+    return held ? text_of(*held) : "free";
+  }
+  if (key == "tool") return std::string(state.tool == Tool::Box ? "box" : "look");
+  if (key == "layers") return count(state.layer_count());
+  if (key == "active_layer") return count(state.active_layer());
+  if (key.starts_with("layer.")) {  // layer.N.name, .offset, .visible, .status, .planar
+    const std::size_t dot = key.find('.', 6);
+    const auto index = number_in(key.substr(6, dot == std::string::npos ? dot : dot - 6));
+    if (!index || dot == std::string::npos || *index < 0 || *index >= state.layer_count())
+      return std::nullopt;
+    const int i = static_cast<int>(*index);
+    const Layer& layer = document.design().layers[static_cast<std::size_t>(i)];
+    const std::string what = key.substr(dot + 1);
+    if (what == "name") return layer.name;
+    if (what == "offset") return text_of(layer.settings.offset);
+    if (what == "visible") return flag(layer.visible);
+    if (what == "thickness") return text_of(layer.thickness);
+    if (what == "status") {
+      return std::string(state.report(i) != nullptr ? planewright::name(state.report(i)->status) : "none");
+    }
+    if (what == "planarity_relative")
+      return text_of(state.shown(i) ? state.shown(i)->planarity.max_relative_to_bbox : -1);
+    if (what == "beams")
+      return count(state.shown(i) && state.shown(i)->beams ? state.shown(i)->beams->count : 0);
+    if (what == "beam_planarity")
+      return text_of(state.shown(i) && state.shown(i)->beams ? state.shown(i)->beams->planarity : -1);
+    if (what == "sides")
+      return count(state.shown(i) && state.shown(i)->thickness ? state.shown(i)->thickness->sides.count : 0);
+    return std::nullopt;
+  }
   if (key == "hovered_edge") return count(c.viewport.hovered_edge().value_or(-1));
   if (key == "browser_open") return flag(c.window.browser.is_open());
   if (key == "camera") {
@@ -307,20 +379,25 @@ void TestDriver::push(Input input, int frames) {
   for (int i = 1; i < frames; ++i) inputs_.emplace_back();
 }
 
-void TestDriver::click_at(ImVec2 at, bool ctrl, bool twice) {
-  push({.mouse = at, .ctrl = ctrl}, 2);
+HeldKeys TestDriver::held_in(const std::string& text) {
+  const auto named = [&](const char* key) { return text.find(key) != std::string::npos; };
+  return {named("Ctrl"), named("Shift"), named("Alt")};
+}
+
+void TestDriver::click_at(ImVec2 at, HeldKeys held, bool twice) {
+  push({.mouse = at, .ctrl = held.ctrl, .shift = held.shift, .alt = held.alt}, 2);
   push({.left = true}, 2);
   push({.left = false});
   if (twice) {
     push({.left = true, .double_clicks = true}, 2);
     push({.left = false});
   }
-  push({.ctrl = false, .double_clicks = false}, 2);
+  push({.ctrl = false, .shift = false, .alt = false, .double_clicks = false}, 2);
 }
 
-void TestDriver::drag_line(ImVec2 from, ImVec2 to, bool middle) {
+void TestDriver::drag_line(ImVec2 from, ImVec2 to, bool middle, HeldKeys held) {
   constexpr int kSteps = 10;
-  push({.mouse = from}, 2);
+  push({.mouse = from, .ctrl = held.ctrl, .shift = held.shift, .alt = held.alt}, 2);
   Input down, up;
   (middle ? down.middle : down.left) = true;
   (middle ? up.middle : up.left) = false;
@@ -331,6 +408,7 @@ void TestDriver::drag_line(ImVec2 from, ImVec2 to, bool middle) {
   }
   push({}, 2);
   push(up, 2);
+  push({.ctrl = false, .shift = false, .alt = false}, 1);
 }
 
 void TestDriver::inject(ImGuiIO& io) {
@@ -350,6 +428,7 @@ void TestDriver::inject(ImGuiIO& io) {
     middle_ = input.middle.value_or(middle_);
     ctrl_ = input.ctrl.value_or(ctrl_);
     shift_ = input.shift.value_or(shift_);
+    alt_ = input.alt.value_or(alt_);
     double_clicks_ = input.double_clicks.value_or(double_clicks_);
     io.MouseWheel = input.wheel;
     if (input.key) {
@@ -368,7 +447,8 @@ void TestDriver::inject(ImGuiIO& io) {
   io.MouseDown[2] = middle_;
   io.KeyCtrl = ctrl_;
   io.KeyShift = shift_;
-  io.KeyAlt = io.KeySuper = false;
+  io.KeyAlt = alt_;
+  io.KeySuper = false;
   // Two clicks are a double click when the script says so, however long frames take.
   io.MouseDoubleClickTime = double_clicks_ ? 10.0f : 0.0f;
 }
@@ -457,6 +537,49 @@ std::optional<ImVec2> TestDriver::find_edge(const std::string& which, const Driv
   return std::nullopt;
 }
 
+std::optional<ImVec2> TestDriver::find_element(const std::string& kind, const std::string& which,
+                                               const DriverContext& context) {
+  const AppState& state = context.state;
+  const auto place = [&](int index) {
+    return kind == "panel" ? context.viewport.clickable_place_of_panel(state, index)
+                           : context.viewport.clickable_place_of_corner(state, index);
+  };
+  if (which != "any") {
+    const auto at = place(static_cast<int>(number(which)));
+    if (!at) fail_with(kind + " " + which + " cannot be clicked in this view");
+    remembered_[kind] = which;
+    return at;
+  }
+  if (!state.shown()) {
+    fail_with("there are no panels");
+    return std::nullopt;
+  }
+  // The one nearest to the middle of the view.
+  const TangentComplex& complex = state.shown()->complex();
+  const Points& points = state.shown()->points;
+  const auto& camera = context.viewport.camera();
+  const glm::vec2 middle(0.5f * static_cast<float>(camera.width()),
+                         0.5f * static_cast<float>(camera.height()));
+  std::vector<std::pair<float, int>> candidates;
+  const int count = kind == "panel" ? complex.plane_count() : complex.point_count();
+  for (int i = 0; i < count; ++i) {
+    if (kind == "panel" && complex.panels[i].empty()) continue;
+    const Vector3d at =
+        kind == "panel" ? centroid(points, complex.panels[i]) : Vector3d(points.row(i).transpose());
+    const glm::vec2 away = camera.project(at) - middle;
+    candidates.emplace_back(std::hypot(away.x, away.y), i);
+  }
+  std::sort(candidates.begin(), candidates.end());
+  for (std::size_t i = 0; i < std::min<std::size_t>(candidates.size(), 100); ++i) {
+    if (const auto at = place(candidates[i].second)) {
+      remembered_[kind] = std::to_string(candidates[i].second);
+      return at;
+    }
+  }
+  fail_with("no " + kind + " of this view can be clicked");
+  return std::nullopt;
+}
+
 std::optional<std::filesystem::path> TestDriver::take_screenshot_request() {
   return std::exchange(screenshot_, std::nullopt);
 }
@@ -530,7 +653,7 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
     const int until = frame + static_cast<int>(number(words[1]));
     wait("for frames", 600, [until](const DriverContext&, int now) { return now >= until; });
   } else if (verb == "click" || verb == "ctrl_click" || verb == "double_click") {
-    click_at(middle_of(*target), verb == "ctrl_click", verb == "double_click");
+    click_at(middle_of(*target), HeldKeys{.ctrl = verb == "ctrl_click"}, verb == "double_click");
   } else if (verb == "hover") {
     push({.mouse = middle_of(*target)}, 3);
   } else if (verb == "wheel") {
@@ -560,6 +683,30 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
       } else {
         push({.mouse = *at}, 3);
       }
+    }
+  } else if (verb == "click_panel" || verb == "click_corner") {
+    if (const auto at = find_element(verb.substr(6), expanded(words[1]), c)) {
+      click_at(*at, words.size() > 2 ? held_in(words[2]) : HeldKeys());
+    }
+  } else if (verb == "drag_pin") {
+    const int pin = static_cast<int>(number(words[1]));
+    const auto at = c.viewport.place_of_pin(c.state, pin);
+    if (!at) return fail_with("pin " + words[1] + " cannot be taken in this view");
+    drag_line(*at, ImVec2(at->x + static_cast<float>(number(words[2])),
+                          at->y + static_cast<float>(number(words[3]))));
+  } else if (verb == "drag_box" || verb == "hover_model") {
+    const UiRecord* model = c.ui.find("model");
+    if (model == nullptr) return fail_with("there is no model to draw a box on");
+    const auto at = [&](std::size_t word) {
+      return ImVec2(
+          std::round(model->min.x + static_cast<float>(number(words[word])) * (model->max.x - model->min.x)),
+          std::round(model->min.y +
+                     static_cast<float>(number(words[word + 1])) * (model->max.y - model->min.y)));
+    };
+    if (verb == "hover_model") {
+      push({.mouse = at(1)}, 3);
+    } else {
+      drag_line(at(1), at(3), false, words.size() > 5 ? held_in(words[5]) : HeldKeys());
     }
   } else if (verb == "click_model" || verb == "orbit" || verb == "pan" || verb == "zoom") {
     const UiRecord* model = c.ui.find("model");

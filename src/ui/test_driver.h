@@ -45,6 +45,11 @@ struct DriverContext {
 // The value that `expect` and `print` know by this name, or nothing.
 std::optional<std::string> state_value(const DriverContext& context, const std::string& key);
 
+// Keys that are held during a gesture of a script.
+struct HeldKeys {
+  bool ctrl = false, shift = false, alt = false;
+};
+
 class TestDriver {
  public:
   explicit TestDriver(Script script) : script_(std::move(script)) {}
@@ -68,7 +73,7 @@ class TestDriver {
   struct Input {  // of one frame, on top of the one before
     std::optional<ImVec2> mouse = {};
     std::optional<bool> left = {}, middle = {};
-    std::optional<bool> ctrl = {}, shift = {};
+    std::optional<bool> ctrl = {}, shift = {}, alt = {};
     std::optional<bool> double_clicks = {};
     float wheel = 0;
     std::optional<KeyPress> key = {};
@@ -83,8 +88,12 @@ class TestDriver {
   void run(const ScriptCommand& command, const DriverContext& context, int frame);
   void fail_with(const std::string& what);
   void push(Input input, int frames = 1);
-  void click_at(ImVec2 at, bool ctrl = false, bool twice = false);
-  void drag_line(ImVec2 from, ImVec2 to, bool middle = false);
+  static HeldKeys held_in(const std::string& text);
+  void click_at(ImVec2 at, HeldKeys held = {}, bool twice = false);
+  void drag_line(ImVec2 from, ImVec2 to, bool middle = false, HeldKeys held = {});
+  // A panel ("panel") or a corner ("corner") that can be clicked, as the script names it.
+  std::optional<ImVec2> find_element(const std::string& kind, const std::string& which,
+                                     const DriverContext& context);
   std::optional<ImVec2> find_edge(const std::string& which, const DriverContext& context);
   const UiRecord* control(const std::string& path, const DriverContext& context);
   void wait(std::string what, double seconds, std::function<bool(const DriverContext&, int frame)> over);
@@ -102,7 +111,7 @@ class TestDriver {
 
   // The held input.
   ImVec2 mouse_{-1000, -1000};
-  bool left_ = false, middle_ = false, ctrl_ = false, shift_ = false, double_clicks_ = false;
+  bool left_ = false, middle_ = false, ctrl_ = false, shift_ = false, alt_ = false, double_clicks_ = false;
   std::optional<int> key_down_;
   std::vector<KeyPress> pressed_;
   std::u32string typed_;

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <bit>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
 #include <vector>
 
+#include "core/layers/beams.h"
 #include "ui/frame_timings.h"
 
 namespace planewright::ui {
@@ -24,6 +26,44 @@ std::uint64_t fingerprint(const Points& points) {
   return hash;
 }
 
+// shift: from the first complex's origin to the scene's.
+PreparedBeams prepare_beams(const TangentComplex& first, const State& first_state,
+                            const TangentComplex& second, const State& second_state, const Vector3d& shift) {
+  PreparedBeams out;
+  const Result<Beams> beams = make_beams(first, first_state, second, second_state);
+  if (!beams) {
+    out.refused = beams.error().what;
+    return out;
+  }
+  const Points points = beams->points.rowwise() + shift.transpose();
+  out.arrays = render::make_panel_arrays(points, beams->quads);
+  out.arrays.shadow.reset();
+  out.count = beams->quads.size();
+  for (std::size_t i = 0; i < beams->twist.size(); ++i) {
+    out.planarity = std::max(out.planarity, beams->planarity[i]);
+    if (out.most_twisted >= 0 && !(beams->twist[i] > out.twist)) continue;
+    out.twist = beams->twist[i];
+    out.most_twisted = beams->edge[i];
+  }
+  return out;
+}
+
+std::shared_ptr<const PreparedThickness> prepare_thickness(const TangentComplex& complex, const State& state,
+                                                           double thickness, const Vector3d& shift) {
+  ParallelOffset offset = parallel_offset(complex, state, thickness);
+  auto out = std::make_shared<PreparedThickness>();
+  const Points points = offset.state.x.rowwise() + shift.transpose();
+  out->back = render::make_panel_arrays(points, complex.panels);
+  out->back.shadow.reset();
+  out->sides = prepare_beams(complex, state, complex, offset.state, shift);
+  out->blunted = std::move(offset.blunted);
+  out->residuals = std::move(offset.residuals);
+  for (const auto& residual : out->residuals) {
+    out->largest_residual = std::max(out->largest_residual, residual.residual);
+  }
+  return out;
+}
+
 }  // namespace
 
 PreparedView prepare_view(const PrepareJob& job, std::shared_ptr<const render::PanelGeometry> before) {
@@ -34,12 +74,20 @@ PreparedView prepare_view(const PrepareJob& job, std::shared_ptr<const render::P
   PreparedView view;
   view.iterate = job.iterate;
   view.final = job.final;
+  view.layer = job.layer;
+  view.number = job.number;
+  view.thickness_wanted = job.thickness;
   const Vector3d shift = complex.origin - job.scene_origin;
   view.points = state.x.rowwise() + shift.transpose();
   view.panels = render::make_panel_arrays(view.points, complex.panels, std::move(before));
   view.planarity = measure_planarity(state.x, complex.panels);
   view.displacement = measure_displacement(state.x, complex.preferred);
   view.ill_determined = find_ill_determined(complex, state);
+  if (job.thickness != 0.0) view.thickness = prepare_thickness(complex, state, job.thickness, shift);
+  if (job.neighbour) {
+    view.beams = std::make_shared<const PreparedBeams>(
+        prepare_beams(complex, state, *job.neighbour->complex, job.neighbour->state, shift));
+  }
   if (view.points.rows() > 0) {
     view.low = view.points.colwise().minCoeff().transpose();
     view.high = view.points.colwise().maxCoeff().transpose();
@@ -53,42 +101,59 @@ struct ViewPreparer::Impl {
   std::function<void()> wake;
   std::mutex mutex;  // held only while pointers move
   std::condition_variable_any changed;
-  std::optional<PrepareJob> waiting;
+  std::vector<PrepareJob> waiting;  // one per layer, the longest waiting first
   std::shared_ptr<const MeshView> waiting_mesh;
-  std::shared_ptr<const PreparedView> ready;
+  std::vector<std::shared_ptr<const PreparedView>> ready;  // one per layer
   std::shared_ptr<const PreparedGhost> ready_ghost;
   std::jthread worker;  // last member: joins before the rest goes
 
   void run(const std::stop_token& stop);
-  template <class T>
-  void deliver(std::shared_ptr<const T>& to, std::shared_ptr<const T> made) {
+  void deliver(std::shared_ptr<const PreparedGhost> made) {
     {
       const std::lock_guard lock(mutex);
-      std::swap(to, made);  // the old one is freed outside the lock
+      std::swap(ready_ghost, made);  // the old one is freed outside the lock
+    }
+    if (wake) wake();
+  }
+  void deliver(std::shared_ptr<const PreparedView> made) {
+    {
+      const std::lock_guard lock(mutex);
+      const auto same = std::find_if(ready.begin(), ready.end(),
+                                     [&](const auto& view) { return view->layer == made->layer; });
+      if (same == ready.end()) {
+        ready.push_back(std::move(made));
+      } else {
+        std::swap(*same, made);
+      }
     }
     if (wake) wake();
   }
 };
 
 void ViewPreparer::Impl::run(const std::stop_token& stop) {
-  std::shared_ptr<const render::PanelGeometry> geometry;  // of the last view
+  // Of each layer's last view; kept alive by whoever shows it.
+  std::map<std::uint64_t, std::weak_ptr<const render::PanelGeometry>> geometry;
   for (;;) {
     std::optional<PrepareJob> job;
     std::shared_ptr<const MeshView> mesh;
     {
       std::unique_lock lock(mutex);
-      if (!changed.wait(lock, stop, [&] { return waiting || waiting_mesh; })) return;
+      if (!changed.wait(lock, stop, [&] { return !waiting.empty() || waiting_mesh; })) return;
       mesh = std::exchange(waiting_mesh, nullptr);
-      if (!mesh) job = std::exchange(waiting, std::nullopt);
+      if (!mesh) {
+        job = std::move(waiting.front());
+        waiting.erase(waiting.begin());
+      }
     }
     if (mesh) {
       auto arrays = render::make_ghost_arrays(mesh->points, mesh->faces);
-      deliver(ready_ghost,
-              std::make_shared<const PreparedGhost>(PreparedGhost{std::move(mesh), std::move(arrays)}));
+      deliver(std::make_shared<const PreparedGhost>(PreparedGhost{std::move(mesh), std::move(arrays)}));
     } else {
-      auto view = std::make_shared<const PreparedView>(prepare_view(*job, std::move(geometry)));
-      geometry = view->panels.geometry;
-      deliver(ready, std::move(view));
+      auto& before = geometry[job->layer];
+      auto view = std::make_shared<const PreparedView>(prepare_view(*job, before.lock()));
+      before = view->panels.geometry;
+      std::erase_if(geometry, [](const auto& entry) { return entry.second.expired(); });
+      deliver(std::move(view));
     }
   }
 }
@@ -104,7 +169,13 @@ void ViewPreparer::submit(PrepareJob job) {
   std::optional<PrepareJob> replaced = std::move(job);
   {
     const std::lock_guard lock(impl_->mutex);
-    std::swap(impl_->waiting, replaced);  // the old one is freed outside the lock
+    const auto same = std::find_if(impl_->waiting.begin(), impl_->waiting.end(),
+                                   [&](const PrepareJob& waits) { return waits.layer == replaced->layer; });
+    if (same == impl_->waiting.end()) {
+      impl_->waiting.push_back(*std::move(replaced));
+    } else {
+      std::swap(*same, *replaced);  // the old one is freed outside the lock
+    }
   }
   impl_->changed.notify_one();
 }
@@ -119,7 +190,10 @@ void ViewPreparer::submit(std::shared_ptr<const MeshView> mesh) {
 
 std::shared_ptr<const PreparedView> ViewPreparer::take() {
   const std::lock_guard lock(impl_->mutex);
-  return std::exchange(impl_->ready, nullptr);
+  if (impl_->ready.empty()) return nullptr;
+  auto view = std::move(impl_->ready.front());
+  impl_->ready.erase(impl_->ready.begin());
+  return view;
 }
 
 std::shared_ptr<const PreparedGhost> ViewPreparer::take_ghost() {

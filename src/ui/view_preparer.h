@@ -1,10 +1,10 @@
 // ViewPreparer: turns iterates into what the window shows, on a thread of its own.
 //
-// Measuring 10,000 panels (planarity, displacement, determinacy) takes longer than a frame may; so a worker
-// takes the newest iterate, and the window's thread picks up arrays that are ready to upload. Iterates that
-// arrive while one is being prepared replace each other; the last one of a solve is never replaced by an
-// earlier one. The same worker makes the ghost's arrays from the mesh being designed on, before anything
-// else.
+// Measuring 10,000 panels (planarity, displacement, determinacy), offsetting them by a thickness and building
+// beams takes longer than a frame may; so a worker takes the newest iterate of each layer, and the window's
+// thread picks up arrays that are ready to upload. Iterates of a layer that arrive while one is being
+// prepared replace each other; the last one of a solve is never replaced by an earlier one. The same worker
+// makes the ghost's arrays from the mesh being designed on, before anything else.
 //
 // Threads: submit() and the takes from the window's thread; neither waits for the worker's computing.
 // Units: model units; positions relative to the scene's origin.
@@ -13,10 +13,13 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
+#include "core/design/solve_session.h"
 #include "core/diagnose/ill_determined.h"
 #include "core/diagnose/planarity.h"
-#include "core/design/solve_session.h"
+#include "core/layers/parallel_offset.h"
 #include "ui/mesh_view.h"
 #include "ui/render/panel_arrays.h"
 
@@ -24,18 +27,44 @@ namespace planewright::ui {
 
 struct PrepareJob {
   std::shared_ptr<const Iterate> iterate;
-  Vector3d scene_origin = Vector3d::Zero();  // model coordinates of the scene's 0
-  bool final = false;                        // the outcome of a solve
+  Vector3d scene_origin = Vector3d::Zero();       // model coordinates of the scene's 0
+  bool final = false;                             // the outcome of a solve
+  std::uint64_t layer = 0;                        // whose state it is; jobs of other layers do not replace it
+  std::uint64_t number = 0;                       // of the job: tells views of the same state apart
+  double thickness = 0.0;                         // of the panels, along their normals; 0: none
+  std::shared_ptr<const Iterate> neighbour = {};  // the layer that beams lead to; null: none
+};
+
+// One quad per panel edge between two layers, or between the two sides of thick panels.
+struct PreparedBeams {
+  render::PanelArrays arrays;  // scene coordinates; none where refused
+  int count = 0;
+  double planarity = 0.0;  // the largest, model units
+  double twist = 0.0;      // the largest, radians
+  int most_twisted = -1;   // panel edge of the iterate's complex
+  std::string refused;     // why there are none
+};
+
+struct PreparedThickness {
+  render::PanelArrays back;  // the panels' other side, scene coordinates
+  PreparedBeams sides;       // between the two
+  std::vector<ParallelOffset::Blunted> blunted;
+  std::vector<ParallelOffset::Residual> residuals;
+  double largest_residual = 0.0;  // model units
 };
 
 struct PreparedView {
   std::shared_ptr<const Iterate> iterate;
   bool final = false;
-  Points points;               // #X x 3, scene coordinates
-  render::PanelArrays panels;  // of these points, for the renderer
+  std::uint64_t layer = 0, number = 0;
+  double thickness_wanted = 0.0;  // as the job had it
+  Points points;                  // #X x 3, scene coordinates
+  render::PanelArrays panels;     // of these points, for the renderer
   Planarity planarity;
   Displacement displacement;
   std::vector<IllDetermined> ill_determined;
+  std::shared_ptr<const PreparedThickness> thickness;        // null: none wanted
+  std::shared_ptr<const PreparedBeams> beams;                // to the neighbour; null: none wanted
   Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();  // bounding box, scene coordinates
   std::uint64_t fingerprint = 0;  // of the points' bits: equal states have equal fingerprints
   double milliseconds = 0.0;      // spent preparing
@@ -62,7 +91,7 @@ class ViewPreparer {
 
   void submit(PrepareJob job);
   void submit(std::shared_ptr<const MeshView> mesh);
-  // The newest view that was not taken yet, or null.
+  // The newest view of some layer that was not taken yet, or null.
   std::shared_ptr<const PreparedView> take();
   std::shared_ptr<const PreparedGhost> take_ghost();
 

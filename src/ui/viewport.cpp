@@ -17,8 +17,13 @@
 namespace planewright::ui {
 namespace {
 
-constexpr float kClickSlop = 4;      // pixels at scale 1 that a click may wander
-constexpr float kEdgeReach = 7;      // pixels at scale 1 within which an edge is hit
+constexpr float kClickSlop = 4;    // pixels at scale 1 that a click may wander
+constexpr float kEdgeReach = 7;    // pixels at scale 1 within which an edge is hit
+constexpr float kCornerReach = 7;  // likewise a corner, but not more than this part of a panel's edge:
+constexpr float kCornerPart = 0.2f;
+constexpr float kPinReach = 9;
+// Ends of an edge belong to the panels that meet there; only the middle of it flips.
+constexpr float kEdgeEnds = 0.2f;
 constexpr double kSlowPicture = 28;  // milliseconds above which a moving picture is drawn coarser
 constexpr double kZoomPerNotch = 1.15;
 
@@ -44,6 +49,21 @@ bool same(const std::optional<render::ColourScale>& a, const std::optional<rende
                 a->tolerance == b->tolerance);
 }
 
+Combine combine_of(const ImGuiIO& io) {
+  return io.KeyShift ? Combine::Add : io.KeyCtrl ? Combine::Remove : Combine::Replace;
+}
+
+// Where on a segment of the screen the nearest place to a pixel is, 0..1, and how far away.
+struct OnSegment {
+  float t, pixels;
+};
+OnSegment nearest_on_segment(glm::vec2 a, glm::vec2 b, glm::vec2 pixel) {
+  const glm::vec2 along = b - a;
+  const float squared = glm::dot(along, along);
+  const float t = squared > 0 ? std::clamp(glm::dot(pixel - a, along) / squared, 0.0f, 1.0f) : 0.0f;
+  return {t, glm::distance(a + t * along, pixel)};
+}
+
 }  // namespace
 
 struct Viewport::Impl {
@@ -64,7 +84,15 @@ struct Viewport::Impl {
   ColourMap colours = ColourMap::None;
   std::optional<render::ColourScale> scale;
   bool dark = false, ghost = true, markers = true;
-  std::optional<int> marked_point, marked_panel, marked_edge;
+  // What the marks were made for.
+  struct Marked {
+    std::optional<int> point, panel, edge, hovered_edge, hovered_corner;
+    std::uint64_t selection = 0, revision = 0;
+    int layer = 0;
+    bool operator==(const Marked&) const = default;
+  };
+  Marked marked;
+  std::vector<render::Surface> surfaces;
   bool marks_stale = true;
   std::uint64_t fitted = 0;
 
@@ -73,12 +101,14 @@ struct Viewport::Impl {
   double full_ms = 0;   // what a full picture took lately
 
   // The mouse.
-  std::optional<int> hovered;
+  std::optional<int> hovered, hovered_corner, hovered_pin;
+  std::optional<int> dragged_pin;
+  Vector3d pin_from = Vector3d::Zero();  // where it was taken up
+  bool left_press = false, boxing = false;
   bool pressed = false, dragging = false, pans = false, flipped_by_click = false;
   ImVec2 press_at{}, last_at{};
   Vector3d pivot = Vector3d::Zero();
   glm::vec2 hover_probe{-1, -1};
-  std::uint64_t hover_revision = 0;
 
   glm::vec2 to_picture(ImVec2 window) const {
     return {(window.x - place.min.x) * pixel_ratio, (window.y - place.min.y) * pixel_ratio};
@@ -103,8 +133,42 @@ struct Viewport::Impl {
   }
   std::optional<int> edge_under(ImVec2 window, float scale_factor) const {
     if (!mesh) return std::nullopt;
-    return render::pick_edge(mesh->points, mesh->edges, camera, to_picture(window),
-                             kEdgeReach * scale_factor * pixel_ratio, &occluder);
+    const auto edge = render::pick_edge(mesh->points, mesh->edges, camera, to_picture(window),
+                                        kEdgeReach * scale_factor * pixel_ratio, &occluder);
+    if (!edge) return edge;
+    const float t = edge_place(*edge, window).t;
+    return t >= kEdgeEnds && t <= 1 - kEdgeEnds ? edge : std::nullopt;
+  }
+  OnSegment edge_place(int edge, ImVec2 window) const {
+    const auto [a, b] = mesh->edges[static_cast<std::size_t>(edge)];
+    return nearest_on_segment(camera.project(mesh->points.row(a).transpose()),
+                              camera.project(mesh->points.row(b).transpose()), to_picture(window));
+  }
+  std::optional<int> corner_under(ImVec2 window, float scale_factor) const {
+    if (!shown) return std::nullopt;
+    const glm::vec2 pixel = to_picture(window);
+    const auto point = render::pick_point(shown->points, camera, pixel,
+                                          kCornerReach * scale_factor * pixel_ratio, &panel_layer);
+    if (!point) return point;
+    const Vector3d at = shown->points.row(*point).transpose();
+    const auto reach =
+        kCornerPart * static_cast<float>(shown->complex().mean_edge / camera.pixel_size_at(at));
+    return glm::distance(camera.project(at), pixel) <= reach ? point : std::nullopt;
+  }
+  std::optional<int> pin_under(const AppState& state, ImVec2 window, float scale_factor) const {
+    if (!shown) return std::nullopt;
+    const auto& pins = state.document().settings().demands.pins;
+    std::optional<int> best;
+    float nearest = kPinReach * scale_factor * pixel_ratio;
+    for (std::size_t i = 0; i < pins.size(); ++i) {
+      const auto held = state.pin_place(pins[i]);
+      if (!held || camera.depth(*held) <= 0) continue;
+      const float away = glm::distance(camera.project(*held), to_picture(window));
+      if (away > nearest || !in_sight(camera, *held)) continue;
+      nearest = away;
+      best = static_cast<int>(i);
+    }
+    return best;
   }
 
   void show(std::shared_ptr<const PreparedView> view);
@@ -119,7 +183,14 @@ struct Viewport::Impl {
   void turn_towards(const Vector3d& point);
   void upload_marks(const AppState& state);
   void mouse(Ui& ui, AppState& state, bool hovered_now);
+  void hover(Ui& ui, const AppState& state, ImVec2 at);
+  void explain_hovered(Ui& ui, const AppState& state) const;
+  void drag_pin(AppState& state, ImVec2 at);
   void click(Ui& ui, AppState& state, ImVec2 at);
+  void click_loop(AppState& state, ImVec2 at, Combine how);
+  void select_box(AppState& state, ImVec2 from, ImVec2 to) const;
+  void draw_box(const Ui& ui, ImVec2 at) const;
+  void upload_surfaces(const AppState& state);
   void picture(Ui& ui, AppState& state);
 };
 
@@ -150,7 +221,9 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
   bool streamed = false;
 
   const bool new_mesh = v.mesh != state.mesh_view();
-  const bool new_view = v.shown != state.shown();
+  const Layer& active = state.document().design().layers[static_cast<std::size_t>(state.active_layer())];
+  const auto view = active.visible ? state.shown() : nullptr;
+  const bool new_view = v.shown != view;
   const bool new_colours = v.colours != state.view_options.colours;
   v.colours = state.view_options.colours;
 
@@ -171,7 +244,7 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
     v.dirty = streamed = true;
   }
   if (new_view) {
-    v.show(state.shown());
+    v.show(view);
     streamed = true;
   } else if (new_colours && v.shown) {
     const auto [per_panel, per_point] = v.values();
@@ -191,6 +264,7 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
     v.ghost = state.view_options.ghost;
     v.dirty = true;
   }
+  v.upload_surfaces(state);
   v.upload_marks(state);
   if (v.fitted != state.opened_count() && v.mesh && v.place.width() > 1) {
     v.fitted = state.opened_count();
@@ -214,16 +288,45 @@ void Viewport::Impl::show(std::shared_ptr<const PreparedView> view) {
   renderer.set_panels(shown->panels, per_panel, per_point);
 }
 
+// The other layers, the back of thick panels, and beams.
+void Viewport::Impl::upload_surfaces(const AppState& state) {
+  using render::Tone;
+  std::vector<render::Surface> wanted;
+  const auto add = [&](Tone tone, const auto& owner, const render::PanelArrays& arrays) {
+    if (arrays.geometry && arrays.geometry->vertex_count() > 0) {
+      wanted.push_back({tone, std::shared_ptr<const render::PanelArrays>(owner, &arrays)});
+    }
+  };
+  const auto& layers = state.document().design().layers;
+  for (int i = 0; i < state.layer_count() && !state.document().empty(); ++i) {
+    const auto& view = state.shown(i);
+    if (!layers[static_cast<std::size_t>(i)].visible || !view) continue;
+    const bool active = i == state.active_layer();
+    if (!active) add(Tone::OtherLayer, view, view->panels);
+    if (view->thickness) {
+      add(active ? Tone::Back : Tone::OtherLayer, view, view->thickness->back);
+      add(Tone::Beam, view, view->thickness->sides.arrays);
+    }
+    if (view->beams) add(Tone::Beam, view, view->beams->arrays);
+  }
+  const bool same =
+      std::equal(wanted.begin(), wanted.end(), surfaces.begin(), surfaces.end(),
+                 [](const auto& a, const auto& b) { return a.tone == b.tone && a.arrays == b.arrays; });
+  if (same) return;
+  surfaces = std::move(wanted);
+  renderer.set_surfaces(surfaces);
+  dirty = true;
+}
+
 void Viewport::Impl::upload_marks(const AppState& state) {
-  const bool stale = marks_stale || markers != state.view_options.markers ||
-                     marked_point != state.selected_point || marked_panel != state.selected_panel ||
-                     marked_edge != hovered;
-  if (!stale) return;
+  const Marked now{
+      state.selected_point, state.selected_panel,      state.selected_edge,         hovered,
+      hovered_corner,       state.selection_changes(), state.document().revision(), state.active_layer()};
+  if (!marks_stale && markers == state.view_options.markers && marked == now) return;
+  const bool film_stale = marks_stale || marked.selection != now.selection || marked.panel != now.panel;
   marks_stale = false;
   markers = state.view_options.markers;
-  marked_point = state.selected_point;
-  marked_panel = state.selected_panel;
-  marked_edge = hovered;
+  marked = now;
 
   std::vector<render::Marker> marks;
   std::vector<render::Segment> segments;
@@ -233,17 +336,55 @@ void Viewport::Impl::upload_marks(const AppState& state) {
         marks.push_back({shown->points.row(point.point).transpose(), render::Marker::Kind::Warning});
       }
     }
-    if (marked_point && *marked_point < shown->points.rows()) {
-      marks.push_back({shown->points.row(*marked_point).transpose(), render::Marker::Kind::Selected});
-    }
-    if (marked_panel && *marked_panel < panel_layer.polygons.size()) {
-      const auto corners = panel_layer.polygons[*marked_panel];
-      for (std::size_t k = 0; k < corners.size(); ++k) {
-        segments.push_back({shown->points.row(corners[k]).transpose(),
-                            shown->points.row(corners[(k + 1) % corners.size()]).transpose(),
-                            render::Segment::Kind::Selected});
+    if (markers && shown->thickness) {
+      for (const auto& blunted : shown->thickness->blunted) {
+        marks.push_back({shown->points.row(blunted.point).transpose(), render::Marker::Kind::Warning});
       }
     }
+    const TangentComplex& complex = shown->complex();
+    const auto place_of = [&](int point) -> Vector3d { return shown->points.row(point).transpose(); };
+    // Panels: a film over them, and their outline.
+    std::vector<int> panels = panels_named(complex, state.selection());
+    if (now.panel && *now.panel < panel_layer.polygons.size() &&
+        !std::binary_search(panels.begin(), panels.end(), *now.panel)) {
+      panels.insert(std::lower_bound(panels.begin(), panels.end(), *now.panel), *now.panel);
+    }
+    if (film_stale) {
+      std::vector<render::PanelArrays> films{render::triangles_of(shown->panels, panels)};
+      if (shown->thickness) films.push_back(render::triangles_of(shown->thickness->back, panels));
+      renderer.set_selected(films);
+    }
+    std::vector<char> in(static_cast<std::size_t>(complex.plane_count()), 0);
+    for (const int panel : panels) in[static_cast<std::size_t>(panel)] = 1;
+    const auto selected = [&](int panel) { return panel >= 0 && in[static_cast<std::size_t>(panel)] != 0; };
+    for (std::size_t e = 0; e < complex.panel_edges.size(); ++e) {
+      const PanelEdge& edge = complex.panel_edges[e];
+      const bool outline = selected(edge.left) != selected(edge.right);
+      const bool shown_edge = now.edge && *now.edge == static_cast<int>(e);
+      if (outline || shown_edge) {
+        segments.push_back({place_of(edge.a), place_of(edge.b), render::Segment::Kind::Selected});
+      }
+    }
+    for (const int point : points_named(complex, state.selection())) {
+      marks.push_back({place_of(point), render::Marker::Kind::Selected});
+    }
+    for (const auto& point : {now.point, now.hovered_corner}) {
+      if (point && *point < shown->points.rows()) {
+        marks.push_back({place_of(*point), render::Marker::Kind::Selected});
+      }
+    }
+    const Demands& demands = state.document().settings().demands;
+    for (const Pin& pin : demands.pins) {
+      if (const auto at = state.pin_place(pin)) marks.push_back({*at, render::Marker::Kind::Pinned});
+    }
+    for (const PlanePin& pin : demands.plane_pins) {
+      const auto panel = state.shown_panel(pin.panel_origin);
+      if (panel && !complex.panels[*panel].empty()) {
+        marks.push_back({centroid(shown->points, complex.panels[*panel]), render::Marker::Kind::Pinned});
+      }
+    }
+  } else {
+    renderer.set_selected({});
   }
   if (mesh && hovered && *hovered < static_cast<int>(mesh->edges.size())) {
     const auto [a, b] = mesh->edges[static_cast<std::size_t>(*hovered)];
@@ -259,11 +400,14 @@ void Viewport::Impl::upload_marks(const AppState& state) {
 void Viewport::fit(const AppState& state) {
   if (!state.mesh_view()) return;
   Vector3d low = state.mesh_view()->low, high = state.mesh_view()->high;
-  if (state.shown() && state.shown()->points.allFinite()) {
-    // The panels may stand off the design, but a point thrown far away must not shrink the view to nothing.
+  // The panels may stand off the design, but a point thrown far away must not shrink the view to nothing.
+  const auto& layers = state.document().design().layers;
+  for (int i = 0; i < state.layer_count(); ++i) {
+    const auto& view = state.shown(i);
+    if (!layers[static_cast<std::size_t>(i)].visible || !view || !view->points.allFinite()) continue;
     const Vector3d reach = 0.5 * (high - low).norm() * Vector3d::Ones();
-    low = low.cwiseMin(state.shown()->low.cwiseMax(low - reach));
-    high = high.cwiseMax(state.shown()->high.cwiseMin(high + reach));
+    low = low.cwiseMin(view->low.cwiseMax(low - reach));
+    high = high.cwiseMax(view->high.cwiseMin(high + reach));
   }
   impl_->camera.fit(low, high);
   impl_->dirty = true;
@@ -334,6 +478,53 @@ std::optional<ImVec2> Viewport::clickable_place_of_edge(const AppState& state, i
   return hit && *hit == edge ? std::optional(whole) : std::nullopt;
 }
 
+std::optional<ImVec2> Viewport::clickable_place_of_panel(const AppState& state, int panel) const {
+  const Impl& v = *impl_;
+  if (!v.shown || panel < 0 || panel >= v.panel_layer.polygons.size()) return std::nullopt;
+  const auto corners = v.panel_layer.polygons[panel];
+  if (corners.empty()) return std::nullopt;
+  const Vector3d middle = centroid(v.shown->points, corners);
+  // The middle, or a place beside it where no pin, corner or edge is in the way.
+  for (const double part : {0.0, 0.3, 0.5}) {
+    for (const int corner : corners) {
+      const Vector3d at = middle + part * (v.shown->points.row(corner).transpose() - middle);
+      if (v.camera.depth(at) <= 0) continue;
+      const ImVec2 exact = v.to_window(v.camera.project(at));
+      const ImVec2 whole(std::round(exact.x), std::round(exact.y));
+      if (!v.place.contains(whole) || v.edge_under(whole, 1.0f) || v.corner_under(whole, 1.0f) ||
+          v.pin_under(state, whole, 1.0f)) {
+        continue;
+      }
+      const auto hit = render::pick_polygon(v.panel_layer, v.camera.ray(v.to_picture(whole)));
+      if (hit && hit->polygon == panel) return whole;
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<ImVec2> Viewport::clickable_place_of_corner(const AppState& state, int point) const {
+  const Impl& v = *impl_;
+  if (!v.shown || point < 0 || point >= v.shown->points.rows()) return std::nullopt;
+  const Vector3d at = v.shown->points.row(point).transpose();
+  if (v.camera.depth(at) <= 0) return std::nullopt;
+  const ImVec2 exact = v.to_window(v.camera.project(at));
+  const ImVec2 whole(std::round(exact.x), std::round(exact.y));
+  if (!v.place.contains(whole) || v.pin_under(state, whole, 1.0f)) return std::nullopt;
+  const auto hit = v.corner_under(whole, 1.0f);
+  return hit && *hit == point ? std::optional(whole) : std::nullopt;
+}
+
+std::optional<ImVec2> Viewport::place_of_pin(const AppState& state, int pin) const {
+  const auto& pins = state.document().settings().demands.pins;
+  if (pin < 0 || pin >= static_cast<int>(pins.size())) return std::nullopt;
+  const auto at = state.pin_place(pins[static_cast<std::size_t>(pin)]);
+  if (!at) return std::nullopt;
+  const ImVec2 exact = impl_->to_window(impl_->camera.project(*at));
+  const ImVec2 whole(std::round(exact.x), std::round(exact.y));
+  const auto hit = impl_->pin_under(state, whole, 1.0f);
+  return hit && *hit == pin ? std::optional(whole) : std::nullopt;
+}
+
 // --- The frame -------------------------------------------------------------------------------
 
 void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::string& unit) {
@@ -371,6 +562,8 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::strin
   draw_badge(ui, state, v.place, unit, v.shown ? std::optional(v.shown->planarity.max) : std::nullopt);
   if (v.scale && v.shown) draw_legend(ui, v.place, *v.scale, v.colours);
   draw_axes(ui, v.place, v.camera);
+  if (v.boxing && v.dragging) v.draw_box(ui, ImGui::GetIO().MousePos);
+  if (state.tool == Tool::Box) draw_tool_hint(ui, v.place, state);
   ImGui::End();
 }
 
@@ -384,9 +577,18 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
     pressed = true;
     dragging = false;
     press_at = last_at = at;
-    pans = io.KeyShift || io.MouseDown[1] || io.MouseDown[2];
+    left_press = io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2];
+    boxing = left_press && state.tool == Tool::Box && shown != nullptr;
+    const bool plain = !io.KeyShift && !io.KeyCtrl && !io.KeyAlt;
+    dragged_pin = left_press && plain && !boxing ? pin_under(state, at, scale_factor) : std::nullopt;
+    if (dragged_pin) {
+      const auto& pins = state.document().settings().demands.pins;
+      pin_from = *state.pin_place(pins[static_cast<std::size_t>(*dragged_pin)]);
+    }
+    pans = io.KeyShift || !left_press;
     pivot = pivot_under(at);
-    if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !flipped_by_click) {
+    if (plain && !boxing && !dragged_pin && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) &&
+        !flipped_by_click) {
       camera.pan(middle() - to_picture(at), pivot);
       pressed = false;
       dirty = true;
@@ -400,20 +602,29 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
     }
     if (dragging && (at.x != last_at.x || at.y != last_at.y)) {
       const glm::vec2 step((at.x - last_at.x) * pixel_ratio, (at.y - last_at.y) * pixel_ratio);
-      if (pans) {
+      if (dragged_pin) {
+        drag_pin(state, at);
+      } else if (boxing) {
+        // The box is drawn over the picture, which stays as it is.
+      } else if (pans) {
         camera.pan(step, pivot);
+        dirty = true;
       } else {
         camera.orbit(step, pivot);
+        dirty = true;
       }
       last_at = at;
-      dirty = true;
     }
-    moving = dragging;
+    moving = dragging && !boxing && !dragged_pin;
   }
   if (pressed && ImGui::IsItemDeactivated()) {
     pressed = false;
-    if (!dragging && !pans && !io.MouseDown[0]) click(ui, state, press_at);
-    dragging = false;
+    if (dragging && boxing) select_box(state, press_at, at);
+    if (dragging && dragged_pin) state.end_merge();
+    if (boxing) state.tool = Tool::Look;
+    if (!dragging && left_press && !io.MouseDown[0]) click(ui, state, press_at);
+    dragging = boxing = false;
+    dragged_pin.reset();
     if (coarse_picture) dirty = true;
   }
   if (hovered_now && io.MouseWheel != 0) {
@@ -423,53 +634,174 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
   }
 
   // Hover: asked anew only when the mouse or the view has moved.
-  if (!hovered_now || pressed) {
-    if (!pressed || dragging) hovered.reset();
+  if (!hovered_now || pressed || state.tool == Tool::Box) {
+    if (!pressed || dragging) {
+      hovered.reset();
+      hovered_corner.reset();
+      hovered_pin.reset();
+    }
     hover_probe = {-1, -1};
+    if (hovered_now && state.tool == Tool::Box) ImGui::SetMouseCursor(ImGuiMouseCursor_Arrow);
   } else {
     const glm::vec2 probe = to_picture(at);
     if (probe != hover_probe || dirty) {
       hover_probe = probe;
-      hovered = edge_under(at, scale_factor);
+      hover(ui, state, at);
     }
   }
-  if (hovered) {
-    const Result<void> allowed = state.document().may_flip(*hovered);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(7)));
-    ImGui::BeginTooltip();
-    ui.text("Edge " + format_count(*hovered), allowed ? ui.colours().accent : ui.colours().ink_soft);
-    ImGui::SameLine();
-    ui.text(allowed ? "click to flip" : allowed.error().what,
-            allowed ? ui.colours().ink : ui.colours().ink_soft);
-    ImGui::EndTooltip();
-    ImGui::PopStyleVar();
-    if (allowed) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  explain_hovered(ui, state);
+}
+
+// The pin under the mouse, else the corner, else the edge, unless the edge is nearer and can be flipped.
+void Viewport::Impl::hover(Ui& ui, const AppState& state, ImVec2 at) {
+  const float scale_factor = ui.theme().scale();
+  hovered.reset();
+  hovered_corner.reset();
+  hovered_pin = pin_under(state, at, scale_factor);
+  if (hovered_pin) return;
+  hovered = edge_under(at, scale_factor);
+  hovered_corner = corner_under(at, scale_factor);
+  if (!hovered || !hovered_corner) return;
+  const float to_corner =
+      glm::distance(camera.project(shown->points.row(*hovered_corner).transpose()), to_picture(at));
+  if (state.document().may_flip(*hovered) && edge_place(*hovered, at).pixels < to_corner) {
+    hovered_corner.reset();
+  } else {
+    hovered.reset();
   }
 }
 
-void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
-  if (!std::exchange(flipped_by_click, false) || !ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-    const auto edge = edge_under(at, ui.theme().scale());
-    if (edge && state.document().may_flip(*edge)) {
-      state.flip_edge(*edge);
-      flipped_by_click = true;
-      hovered.reset();
-      return;
-    }
+void Viewport::Impl::explain_hovered(Ui& ui, const AppState& state) const {
+  if (!hovered && !hovered_pin) return;
+  const auto explain = [&](const std::string& what, const std::string& how, bool possible) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(7)));
+    ImGui::BeginTooltip();
+    ui.text(what, possible ? ui.colours().accent : ui.colours().ink_soft);
+    ImGui::SameLine();
+    ui.text(how, possible ? ui.colours().ink : ui.colours().ink_soft);
+    ImGui::EndTooltip();
+    ImGui::PopStyleVar();
+    if (possible) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  };
+  if (hovered_pin) {
+    explain("Pin " + format_count(*hovered_pin + 1), "drag to move", true);
+  } else if (const Result<void> allowed = state.document().may_flip(*hovered); allowed) {
+    explain("Edge " + format_count(*hovered), "click to flip", true);
+  } else {
+    explain("Edge " + format_count(*hovered), allowed.error().what, false);
   }
-  state.selected_point.reset();
-  state.selected_panel.reset();
+}
+
+// In the plane of the view through the place where it was taken up.
+void Viewport::Impl::drag_pin(AppState& state, ImVec2 at) {
+  const glm::vec2 pixel = camera.project(pin_from) + to_picture(at) - to_picture(press_at);
+  const render::Ray ray = camera.ray(pixel);
+  const double along = ray.direction.dot(camera.forward());
+  if (!(along > 0)) return;
+  state.move_pin(*dragged_pin,
+                 ray.origin + (pin_from - ray.origin).dot(camera.forward()) / along * ray.direction);
+}
+
+void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const Combine how = combine_of(io);
+  if (io.KeyAlt) return click_loop(state, at, how);
+  hover(ui, state, at);
+  const auto edge = std::exchange(hovered, std::nullopt);
+  const auto corner = std::exchange(hovered_corner, std::nullopt);
+  const auto pin = std::exchange(hovered_pin, std::nullopt);
+  hover_probe = {-1, -1};
+  const bool again =
+      std::exchange(flipped_by_click, false) && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  if (!again && how == Combine::Replace && edge && state.document().may_flip(*edge)) {
+    state.flip_edge(*edge);
+    flipped_by_click = true;
+    return;
+  }
+  if (how == Combine::Replace) state.clear_selection();
   if (!shown) return;
-  const render::PolygonLayer& layer = panel_layer;
+  if (pin) {
+    const auto& pins = state.document().settings().demands.pins;
+    if (const auto point = state.shown_point(pins[static_cast<std::size_t>(*pin)].point)) {
+      state.select_point(*point, how);
+    }
+    return;
+  }
   for (const IllDetermined& point : shown->ill_determined) {
     const glm::vec2 pixel = camera.project(shown->points.row(point.point).transpose());
-    if (glm::distance(pixel, to_picture(at)) <= kEdgeReach * ui.theme().scale() * pixel_ratio) {
-      state.selected_point = point.point;
+    if (markers && glm::distance(pixel, to_picture(at)) <= kEdgeReach * ui.theme().scale() * pixel_ratio) {
+      state.select_point(point.point, how);
       return;
     }
   }
-  if (const auto hit = render::pick_polygon(layer, camera.ray(to_picture(at))))
-    state.selected_panel = hit->polygon;
+  if (corner) {
+    state.select_point(*corner, how);
+  } else if (const auto hit = render::pick_polygon(panel_layer, camera.ray(to_picture(at)))) {
+    state.select_panel(hit->polygon, how);
+  }
+}
+
+// Through the panel edge that is nearest to the mouse, of the panel under it.
+void Viewport::Impl::click_loop(AppState& state, ImVec2 at, Combine how) {
+  if (!shown || state.document().empty()) return;
+  const auto hit = render::pick_polygon(panel_layer, camera.ray(to_picture(at)));
+  if (!hit) return;
+  const TangentComplex& complex = shown->complex();
+  std::optional<int> best;
+  float nearest = 0;
+  for (std::size_t e = 0; e < complex.panel_edges.size(); ++e) {
+    const PanelEdge& edge = complex.panel_edges[e];
+    if (edge.left != hit->polygon && edge.right != hit->polygon) continue;
+    const OnSegment on =
+        nearest_on_segment(camera.project(shown->points.row(edge.a).transpose()),
+                           camera.project(shown->points.row(edge.b).transpose()), to_picture(at));
+    if (best && on.pixels >= nearest) continue;
+    best = static_cast<int>(e);
+    nearest = on.pixels;
+  }
+  if (!best) return;
+  const PolygonMesh& mesh_now = *state.document().mesh();
+  const int edge = mesh_edge_of(mesh_now, complex, *best);
+  if (edge < 0) return;
+  if (how == Combine::Replace) state.clear_selection();
+  state.select(loop_through(mesh_now, complex.kind, state.select_what, edge), how);
+}
+
+void Viewport::Impl::select_box(AppState& state, ImVec2 from, ImVec2 to) const {
+  if (!shown) return;
+  const ImGuiIO& io = ImGui::GetIO();
+  const TangentComplex& complex = shown->complex();
+  std::vector<char> in_sight_panels;
+  if (io.KeyAlt) in_sight_panels = render::polygons_in_sight(panel_layer, camera);
+  const auto seen = [&](int panel) {
+    return in_sight_panels.empty() || in_sight_panels[static_cast<std::size_t>(panel)] != 0;
+  };
+  Selection inside;
+  if (state.select_what == SelectWhat::Panels) {
+    auto panels = render::polygons_in_box(panel_layer, camera, to_picture(from), to_picture(to));
+    std::erase_if(panels, [&](int panel) { return !seen(panel); });
+    inside = named_panels(complex, panels);
+  } else {
+    std::vector<char> corner_seen(static_cast<std::size_t>(complex.point_count()), io.KeyAlt ? 0 : 1);
+    for (int panel = 0; io.KeyAlt && panel < complex.panels.size(); ++panel) {
+      if (!seen(panel)) continue;
+      for (const int corner : complex.panels[panel]) corner_seen[static_cast<std::size_t>(corner)] = 1;
+    }
+    auto points = render::points_in_box(shown->points, camera, to_picture(from), to_picture(to));
+    std::erase_if(points, [&](int point) { return !corner_seen[static_cast<std::size_t>(point)]; });
+    inside = named_points(complex, points);
+  }
+  const Combine how = combine_of(io);
+  if (how == Combine::Replace) state.clear_selection();
+  state.select(std::move(inside), how);
+}
+
+void Viewport::Impl::draw_box(const Ui& ui, ImVec2 at) const {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 low(std::min(press_at.x, at.x), std::min(press_at.y, at.y));
+  const ImVec2 high(std::max(press_at.x, at.x), std::max(press_at.y, at.y));
+  draw.AddRectFilled(low, high, with_alpha(ui.colours().accent, 0.12f));
+  draw.AddRect(low, high, ui.colours().accent, 0, 0, ui.px(1.5f));
 }
 
 void Viewport::Impl::picture(Ui& ui, AppState& state) {

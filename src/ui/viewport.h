@@ -38,6 +38,10 @@ class Viewport {
   void look_at(const Vector3d& scene_point, double radius);
 
   std::optional<int> hovered_edge() const;
+  // Where a click would take the panel, the corner, or the pin (of the active layer), if one would.
+  std::optional<ImVec2> clickable_place_of_panel(const AppState& state, int panel) const;
+  std::optional<ImVec2> clickable_place_of_corner(const AppState& state, int point) const;
+  std::optional<ImVec2> place_of_pin(const AppState& state, int pin) const;
   // Where the middle of a mesh edge is on the window, if it is the edge that a click there would take.
   std::optional<ImVec2> clickable_place_of_edge(const AppState& state, int edge) const;
   // Likewise the middle of the picture's nearest panel; for tests that orbit.

@@ -37,8 +37,11 @@ void draw_badge(Ui& ui, const AppState& state, const Rect& place, const std::str
     return;
   } else if (state.solving()) {
     dot = p.accent;
-    add("Solving");
-    if (!state.history().empty()) {
+    const auto at = state.solving_layer();
+    const bool other = at && *at != state.active_layer();
+    add(other ? "Solving " + state.document().design().layers[static_cast<std::size_t>(*at)].name
+              : "Solving");
+    if (!other && !state.history().empty()) {
       add("step " + format_count(state.history().back().number));
       add(format_duration(state.history().back().seconds));
     }
@@ -65,6 +68,21 @@ void draw_badge(Ui& ui, const AppState& state, const Rect& place, const std::str
   draw.AddRect(min, max, p.line, ui.px(13));
   draw.AddCircleFilled(ImVec2(min.x + ui.px(13), 0.5f * (min.y + max.y)), ui.px(4), dot, 16);
   draw_text_aligned(draw, font, ImVec2(min.x + left, min.y), max, 0.0f, p.ink, text);
+}
+
+void draw_tool_hint(Ui& ui, const Rect& place, const AppState& state) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Palette& p = ui.colours();
+  const std::string text = std::string("Drag a box round ") +
+                           (state.select_what == SelectWhat::Panels ? "panels" : "corners") +
+                           "  ·  Shift adds  ·  Ctrl removes  ·  Alt: only what is in sight  ·  Esc leaves";
+  ImFont* font = ui.theme().small();
+  const std::string fitting = elided(font, text, place.width() - ui.px(48));
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, fitting.c_str());
+  const ImVec2 min(place.min.x + ui.px(12), place.min.y + ui.px(46));
+  const ImVec2 max(min.x + size.x + 2 * ui.px(12), min.y + ui.px(26));
+  draw.AddRectFilled(min, max, p.accent, ui.px(13));
+  draw_text_aligned(draw, font, ImVec2(min.x + ui.px(12), min.y), max, 0.0f, p.on_accent, fitting);
 }
 
 void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, ColourMap colours) {

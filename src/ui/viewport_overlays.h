@@ -18,6 +18,9 @@ namespace planewright::ui {
 void draw_badge(Ui& ui, const AppState& state, const Rect& place, const std::string& unit,
                 std::optional<double> planarity);
 
+// Below it: what the mouse does while a tool other than looking is in hand.
+void draw_tool_hint(Ui& ui, const Rect& place, const AppState& state);
+
 // Bottom left; its size, for what has to stand beside it.
 ImVec2 legend_size(const Ui& ui);
 void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, ColourMap colours);

@@ -6,16 +6,12 @@
 #include <optional>
 #include <string>
 
-#include "core/base/geometry.h"
 #include "ui/file_browser.h"
+#include "ui/look_at.h"
+#include "ui/name_field.h"
 #include "ui/user_settings.h"
 
 namespace planewright::ui {
-
-struct LookAt {
-  Vector3d point;  // scene coordinates
-  double radius;   // of what should fill the view
-};
 
 struct WindowState {
   UserSettings settings;
@@ -27,6 +23,7 @@ struct WindowState {
   bool tab_wanted = false;
   bool fit_wanted = false, reset_view_wanted = false;
   std::optional<LookAt> look_at;
+  NameTyping typing;
   bool quit = false;
 };
 

@@ -171,7 +171,8 @@ struct Renderer::Impl {
   GlVertexArray no_attributes;  // for what the shaders make from the vertex's number
   GlTexture map;
 
-  PanelBuffer panels, ghost, selected;
+  PanelBuffer panels, ghost;
+  std::vector<PanelBuffer> selected;
   struct SurfaceBuffer {
     Surface surface;  // what the buffer was made from
     PanelBuffer buffer;
@@ -299,7 +300,7 @@ void Renderer::Impl::draw_selected(const Frame& frame, const Palette& palette) c
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
-  selected.draw();
+  for (const PanelBuffer& film : selected) film.draw();
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
 }
@@ -427,7 +428,7 @@ void Renderer::set_scene(const Scene& scene) {
   if (const auto& layer = scene.panels) {
     const PanelArrays panels = make_panel_arrays(layer->points, layer->polygons);
     set_panels(panels, layer->polygon_values, layer->point_values);
-    set_selected(triangles_of(panels, scene.selected));
+    set_selected({triangles_of(panels, scene.selected)});
   } else {
     set_panels({}, {}, {});
     set_selected({});
@@ -476,8 +477,9 @@ void Renderer::set_surfaces(const std::vector<Surface>& surfaces) {
   }
 }
 
-void Renderer::set_selected(const PanelArrays& selected) {
-  impl_->selected.set(selected);
+void Renderer::set_selected(const std::vector<PanelArrays>& selected) {
+  impl_->selected.resize(selected.size());
+  for (size_t i = 0; i < selected.size(); ++i) impl_->selected[i].set(selected[i]);
 }
 
 void Renderer::set_markers(const std::vector<Marker>& markers, const std::vector<Segment>& segments) {

@@ -57,8 +57,8 @@ class Renderer {
   void set_ghost(std::shared_ptr<const GhostArrays> ghost);
   // Further surfaces, in plain card. One that is the same object as before in its place costs nothing.
   void set_surfaces(const std::vector<Surface>& surfaces);
-  // Panels to be tinted as selected (triangles_of() the panels shown); without geometry: none.
-  void set_selected(const PanelArrays& selected);
+  // What is to be tinted as selected: triangles_of() the panels shown, and of their other side.
+  void set_selected(const std::vector<PanelArrays>& selected);
   void set_markers(const std::vector<Marker>& markers, const std::vector<Segment>& segments);
   void set_colours(const std::optional<ColourScale>& colours);
 
