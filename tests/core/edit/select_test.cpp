@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "core/complex/dual.h"
+#include "core/complex/planarize.h"
 #include "core/mesh/sample_shapes.h"
 #include "support/shapes.h"
 
@@ -210,6 +212,52 @@ TEST(Select, WholeComponents) {
   pick = {};
   pick.faces = {1};
   EXPECT_EQ(whole_components(mesh, pick).faces, (std::vector<int>{0, 1, 2, 3}));
+}
+
+TEST(Select, PanelEdgesAreFoundOnTheMesh) {
+  const PolygonMesh mesh = grid();
+  const TangentComplex faces = build_planarize(mesh).value();
+  for (std::size_t e = 0; e < faces.panel_edges.size(); ++e) {
+    const PanelEdge& edge = faces.panel_edges[e];
+    const MeshEdge on = mesh.edge(mesh_edge_of(mesh, faces, static_cast<int>(e)));
+    EXPECT_EQ(std::minmax(on.a, on.b), std::minmax(edge.a, edge.b));
+  }
+  const TangentComplex dual = build_dual(mesh).value();
+  for (std::size_t e = 0; e < dual.panel_edges.size(); ++e) {
+    const PanelEdge& edge = dual.panel_edges[e];
+    const int found = mesh_edge_of(mesh, dual, static_cast<int>(e));
+    ASSERT_GE(found, 0);
+    const MeshEdge on = mesh.edge(found);
+    if (edge.border()) {
+      EXPECT_TRUE(on.border());
+    } else {  // it crosses the mesh edge between the vertices of its two panels
+      EXPECT_EQ(std::minmax(on.a, on.b),
+                std::minmax(dual.plane_origin[static_cast<std::size_t>(edge.left)],
+                            dual.plane_origin[static_cast<std::size_t>(edge.right)]));
+    }
+  }
+}
+
+TEST(Select, PanelsAndPointsAreNamedAndFoundAgain) {
+  const PolygonMesh mesh = grid();
+  const TangentComplex dual = build_dual(mesh).value();
+  const Selection panels = named_panels(dual, {7, 3});
+  EXPECT_EQ(panels.vertices.size(), 2u);
+  EXPECT_TRUE(std::is_sorted(panels.vertices.begin(), panels.vertices.end()));
+  EXPECT_EQ(panels_named(dual, panels), (std::vector<int>{3, 7}));
+  EXPECT_TRUE(points_named(dual, panels).empty()) << "vertices of a dual mean panels";
+  for (int j = 0; j < dual.point_count(); ++j) {
+    const Selection point = named_points(dual, {j});
+    if (dual.point_origin[static_cast<std::size_t>(j)].kind == PointKind::Corner) {
+      EXPECT_TRUE(point.empty());
+    } else {
+      EXPECT_EQ(points_named(dual, point), std::vector<int>{j});
+      EXPECT_TRUE(panels_named(dual, point).empty());
+    }
+  }
+  const TangentComplex faces = build_planarize(mesh).value();
+  EXPECT_EQ(named_panels(faces, {5}).faces, std::vector<int>{faces.plane_origin[5]});
+  EXPECT_EQ(points_named(faces, named_points(faces, {9})), std::vector<int>{9});
 }
 
 }  // namespace
