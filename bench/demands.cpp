@@ -35,7 +35,7 @@ Row solve(const std::string& name, const PolygonMesh& mesh, LayerSettings settin
                                     solve_options(settings), nullptr, {}));
   row.cpu = cpu_seconds() - cpu;
   row.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  measure_state(row, *complex, edge);
+  measure_state(row, *complex, complex->mean_edge);
   return row;
 }
 
@@ -45,9 +45,11 @@ std::string file_name(const std::string& path) {
 
 }  // namespace
 
-void measure_non_penetration(const std::vector<std::string>& files, const std::vector<double>& offsets) {
+void measure_non_penetration(const std::vector<std::string>& files, const std::vector<double>& offsets,
+                             const std::vector<std::string>& also) {
   LayerSettings settings;
   settings.demands.list = {{"vertex"}, {"face"}, {"edge"}};
+  for (const std::string& name : also) settings.demands.list.push_back({name});
   settings.no_penetration = true;
   std::printf(
       "duals with the vertex, face and edge constraints; cross: pairs of a panel and a mesh triangle\n");

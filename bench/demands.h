@@ -8,8 +8,9 @@
 namespace planewright::bench {
 
 // The torus of 1,600 vertices, the dome, the alpine hut and both stations, and `files`: their duals with the
-// vertex, face and edge constraints on and crossings counted, at each offset (mean panel edges).
-void measure_non_penetration(const std::vector<std::string>& files, const std::vector<double>& offsets);
+// vertex, face and edge constraints (and `also`) on and crossings counted, at each offset (mean panel edges).
+void measure_non_penetration(const std::vector<std::string>& files, const std::vector<double>& offsets,
+                             const std::vector<std::string>& also);
 
 // `files`, planarized with the preset "uncrossed".
 void measure_uncrossed(const std::vector<std::string>& files);

@@ -3,8 +3,9 @@
 //
 //   planewright-bench                            the torus of 10,000 panels (minutes: mostly the default
 //   options) planewright-bench --rows 40 --columns 40     a small one planewright-bench --mesh FILE... this
-//   program alone on real meshes planewright-bench --no-penetration [--offset E ...] [--mesh FILE...]    with
-//   the paper's constraints planewright-bench --uncrossed --mesh FILE... quads that do not cross themselves
+//   program alone on real meshes planewright-bench --no-penetration [--offset E ...] [--also NAME ...]
+//   [--mesh FILE...]    with the paper's constraints planewright-bench --uncrossed --mesh FILE... quads that
+//   do not cross themselves
 //
 // Times are of one process on one thread: wall and CPU (user + system); ratios within one run are what counts
 // on a shared machine. Energy and displacement in mean edges, planarity relative to the bounding box's
@@ -88,6 +89,7 @@ int main(int argc, char** argv) {
   int rows = 100, columns = 100;  // frozen: 10,000 panels
   bool only_ours = false, no_penetration = false, uncrossed = false;
   std::vector<double> offsets{0.2};
+  std::vector<std::string> also;
   std::vector<std::string> meshes;
   app.add_option("--rows", rows, "Torus: vertices round the tube")->check(CLI::Range(4, 2000));
   app.add_option("--columns", columns, "Torus: vertices round the axis")->check(CLI::Range(4, 2000));
@@ -95,11 +97,12 @@ int main(int argc, char** argv) {
   app.add_option("--mesh", meshes, "Real meshes instead of the torus");
   auto* constraints = app.add_flag("--no-penetration", no_penetration, "Duals with the paper's constraints");
   app.add_option("--offset", offsets, "With --no-penetration: offsets, mean panel edges")->needs(constraints);
+  app.add_option("--also", also, "With --no-penetration: further demands, by name")->needs(constraints);
   app.add_flag("--uncrossed", uncrossed, "Real meshes planarized with the preset 'uncrossed'");
   CLI11_PARSE(app, argc, argv);
   try {
     if (no_penetration)
-      bench::measure_non_penetration(meshes, offsets);
+      bench::measure_non_penetration(meshes, offsets, also);
     else if (uncrossed)
       bench::measure_uncrossed(meshes);
     else if (meshes.empty())

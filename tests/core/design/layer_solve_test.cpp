@@ -147,7 +147,7 @@ TEST(LayerSolve, UnknownDemandsAreErrors) {
 }
 
 // The real meshes on which an interior point method alone does not converge. The train station and other
-// offsets: scripts/demands.sh, which takes minutes.
+// offsets, which take longer: planewright-bench --no-penetration.
 TEST(LayerSolve, IrregularRealMeshesMeetAllConstraints) {
   PLANEWRIGHT_SHARED_MESHES_OR_SKIP(folder);
   LayerProblem layer = layer_of(load_mesh(folder / "tri/bunny1k.obj").value().mesh,
