@@ -364,11 +364,14 @@ void AppState::take_energies(LayerRun& of) {
 }
 
 void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
+  // Whatever was wrong with the solve before is no longer shown.
+  if (of.complaint != 0) dismiss(std::exchange(of.complaint, 0));
   const std::string where = layer_count() > 1 ? document_.name() + ", " + of.layer.name : document_.name();
   if (!outcome.report) {
     of.failed = true;
     of.report.reset();
     post(outcome.report.error());
+    of.complaint = messages_posted();
     return;
   }
   of.report = std::move(*outcome.report);
@@ -391,7 +394,8 @@ void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
   if (report.status == SolveStatus::Failed || report.status == SolveStatus::Infeasible ||
       report.status == SolveStatus::NotPlanar) {
     post(Message::Kind::Warning, std::string("the solve ended: ") + planewright::name(report.status), where,
-         report.stop_reason);
+         capitalised(report.stop_reason) + ".");
+    of.complaint = messages_posted();
   }
 }
 

@@ -236,7 +236,8 @@ class AppState {
     std::uint64_t history_ticket = 0;
     std::optional<SolveReport> report;
     std::vector<SolveReport::Energy> energies;
-    bool failed = false;  // the newest outcome had no state to show
+    bool failed = false;          // the newest outcome had no state to show
+    std::uint64_t complaint = 0;  // message about how the newest solve ended, 0: none
   };
   using LoadedReference = std::pair<std::string, Result<std::shared_ptr<const ReferenceSurface>>>;
 
