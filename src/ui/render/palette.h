@@ -15,7 +15,8 @@ struct Palette {
   glm::vec3 card;       // a panel in full light
   glm::vec3 back_tint;  // multiplies a panel's back side
   glm::vec3 edge;
-  glm::vec3 other_card, back_card, beam, beam_edge;  // layers that are not worked on, and what joins layers
+  glm::vec3 other_card, back_card, beam, beam_edge;   // layers that are not worked on, and what joins layers
+  glm::vec3 second_card, second_edge, crossing_card;  // a second surface, and panels that cross it
   glm::vec3 ghost;
   glm::vec3 warning, error, selected, outline;
   glm::vec3 text, faint_text;

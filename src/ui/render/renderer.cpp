@@ -150,6 +150,25 @@ void begin_lying_back() {
   glPolygonOffset(1.0f, 1.0f);
 }
 
+struct ToneColours {
+  glm::vec3 card, edge;
+};
+ToneColours colours_of(Tone tone, const Palette& palette) {
+  switch (tone) {
+    case Tone::OtherLayer:
+      return {palette.other_card, palette.edge};
+    case Tone::Beam:
+      return {palette.beam, palette.beam_edge};
+    case Tone::Second:
+      return {palette.second_card, palette.second_edge};
+    case Tone::Crossing:
+      return {palette.crossing_card, palette.edge};
+    case Tone::Back:
+      break;
+  }
+  return {palette.back_card, palette.edge};
+}
+
 // The time of the latest change among the files of a folder.
 std::filesystem::file_time_type latest_change(const std::filesystem::path& folder) {
   auto latest = std::filesystem::file_time_type::min();
@@ -279,11 +298,9 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
   panels.draw();
   p.set("coloured", 0);
   for (const SurfaceBuffer& further : surfaces) {
-    const bool beam = further.surface.tone == Tone::Beam;
-    p.set("card", beam                                       ? palette.beam
-                  : further.surface.tone == Tone::OtherLayer ? palette.other_card
-                                                             : palette.back_card);
-    p.set("edge", beam ? palette.beam_edge : palette.edge);
+    const auto [card, edge] = colours_of(further.surface.tone, palette);
+    p.set("card", card);
+    p.set("edge", edge);
     further.buffer.draw();
   }
   glDisable(GL_POLYGON_OFFSET_FILL);
@@ -425,15 +442,19 @@ void Renderer::set_scene(const Scene& scene) {
   } else {
     set_ghost(nullptr);
   }
+  std::vector<Surface> surfaces;
   if (const auto& layer = scene.panels) {
     const PanelArrays panels = make_panel_arrays(layer->points, layer->polygons);
     set_panels(panels, layer->polygon_values, layer->point_values);
     set_selected({triangles_of(panels, scene.selected)});
+    // Over the panels: the same triangles have the same depth, so what is drawn last shows.
+    if (!scene.crossing.empty())
+      surfaces.push_back(
+          {Tone::Crossing, std::make_shared<const PanelArrays>(triangles_of(panels, scene.crossing))});
   } else {
     set_panels({}, {}, {});
     set_selected({});
   }
-  std::vector<Surface> surfaces;
   for (const FurtherLayer& further : scene.further) {
     surfaces.push_back({further.tone, std::make_shared<const PanelArrays>(
                                           make_panel_arrays(further.layer.points, further.layer.polygons))});

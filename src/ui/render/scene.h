@@ -23,8 +23,9 @@ struct PolygonLayer {
   Vector point_values;
 };
 
-// What is drawn besides the panels that are worked on: other layers, the other side of thick panels, beams.
-enum class Tone { OtherLayer, Back, Beam };
+// What is drawn besides the panels that are worked on: other layers, the other side of thick panels, beams, a
+// second surface to compare with; Crossing: Scene::crossing.
+enum class Tone { OtherLayer, Back, Beam, Second, Crossing };
 struct FurtherLayer {
   Tone tone;
   PolygonLayer layer;  // in plain card of its tone; values are not drawn
@@ -51,6 +52,7 @@ struct ColourScale {
 struct Scene {
   std::optional<PolygonLayer> panels;
   std::vector<int> selected;  // panels that are tinted, ascending
+  std::vector<int> crossing;  // panels that cross another surface, drawn red; ascending
   std::vector<FurtherLayer> further;
   std::optional<PolygonLayer> ghost;  // the input, drawn as a faint blue wire with a hint of faces
   std::vector<Marker> markers;
