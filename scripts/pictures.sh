@@ -1,14 +1,24 @@
 #!/usr/bin/env bash
-# Draws docs/pictures/*.png anew with the program itself. Says SKIPPED where a display cannot be had (Xvfb).
+# Draws docs/pictures/*.png anew with the program itself.
+#   scripts/pictures.sh                    all of them
+#   scripts/pictures.sh figure-2 preset-close    those alone (docs/gallery.md shows them with their names)
 #   PRESET=debug scripts/pictures.sh       with the binaries of another preset
 #   BUILD=folder scripts/pictures.sh       with those of a folder that is built already
+# Says SKIPPED for pictures of the window where a display cannot be had (Xvfb).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-if ! command -v xvfb-run > /dev/null; then
-  echo "SKIPPED: pictures of the window need Xvfb (apt-get install xvfb)"
-  exit 0
-fi
+names=(window-start window-streaming window-dark window-findings
+  station-panels twisted-roof-panels torus-panels
+  figure-2 figure-5 figure-7 figure-8
+  preset-close-to-design preset-even-panels preset-smooth-shell preset-faceted-shell preset-close preset-uncrossed
+  presets-figure-5)
+(($# == 0)) || for name in "$@"; do
+  if [[ " ${names[*]} " != *" $name "* ]]; then
+    echo "There is no picture $name. Known: ${names[*]}" >&2
+    exit 2
+  fi
+done
 if [[ -z "${BUILD:-}" ]]; then
   scripts/build.sh "${PRESET:-release}" >&2
   BUILD=build/${PRESET:-release}
@@ -17,38 +27,95 @@ pictures=docs/pictures
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 mkdir -p "$pictures"
+cli="$BUILD/src/cli/planewright-cli"
 
 # window NAME [OPTION...] < script: plays the script in a window of 1400 x 900; it leaves $work/NAME.png.
 window() {
   local name=$1
   shift
+  if ! command -v xvfb-run > /dev/null; then
+    echo "SKIPPED: $name needs Xvfb (apt-get install xvfb)"
+    return
+  fi
   sed "s|PICTURE|$work/$name.png|" > "$work/$name.txt"
   xvfb-run -a -s '-screen 0 1400x900x24' \
     "$BUILD/src/ui/planewright" --no-settings --size 1400x900 --script "$work/$name.txt" "$@"
   mv "$work/$name.png" "$pictures/$name.png"
+  shrink "$pictures/$name.png"
   echo "$pictures/$name.png"
 }
 
-# panels NAME IN ACTION [OPTION...]: the planar panels of a mesh over its ghost.
-panels() {
-  local name=$1 input=$2 action=$3
+# solve NAME ACTION IN [OPTION...]: planar panels in $work/NAME.obj.
+solve() {
+  local name=$1 action=$2 input=$3
   shift 3
   # Status 1: written, but with corners that are not well determined; nothing that a picture minds.
-  "$BUILD/src/cli/planewright-cli" "$action" "$input" -o "$work/$name.obj" "$@" > /dev/null 2>&1 || (($? == 1))
-  "$BUILD/src/cli/planewright-cli" render "$work/$name.obj" --ghost "$input" --width 1000 --height 640 \
-    -o "$pictures/$name.png" > /dev/null
-  echo "$pictures/$name.png"
+  "$cli" "$action" "$input" -o "$work/$name.obj" --quiet "$@" || (($? == 1))
 }
 
-window window-start assets/train-station.obj << 'SCRIPT'
+# Above 300 kB: 256 colours, which makes a third of it. ImageMagick is welcome, not needed.
+shrink() {
+  if (($(stat -c %s "$1") > 300000)) && command -v convert > /dev/null; then
+    convert "$1" -dither FloydSteinberg -colors 256 "png8:$1"
+  fi
+}
+
+# A grid of quads with heights drawn by lot (always the same): so crumpled that planar quads want to cross themselves.
+crumpled() {
+  awk 'BEGIN {
+    n = 10; lot = 2
+    for (y = 0; y <= n; ++y) for (x = 0; x <= n; ++x) {
+      lot = (lot * 16807) % 2147483647
+      printf "v %d %d %.4f\n", x, y, 3.2 * (lot / 2147483647 - 0.5)
+    }
+    for (y = 0; y < n; ++y) for (x = 0; x < n; ++x) {
+      v = y * (n + 1) + x + 1
+      print "f", v, v + 1, v + n + 2, v + n + 1
+    }
+  }'
+}
+
+# sheet NAME [OPTION...]: what render draws, with files and options as it takes them.
+sheet() {
+  local name=$1
+  shift
+  "$cli" render -o "$pictures/$name.png" "$@"
+  shrink "$pictures/$name.png"
+}
+
+# panels NAME IN ACTION: the planar panels of a mesh over its ghost.
+panels() {
+  solve "$1" "$3" "$2"
+  sheet "$1" "$work/$1.obj" --ghost "$2" --width 1000 --height 640
+}
+
+# pair NAME ACTION IN VIEW HEIGHT [OPTION...]: position alone on the left, the preset on the right.
+pair() {
+  local name=$1 action=$2 input=$3 view=$4 height=$5
+  shift 5
+  solve before "$action" "$input" --preset close-to-design "$@"
+  solve after "$action" "$input" --preset "$name" "$@"
+  sheet "preset-$name" "$work/before.obj" "$work/after.obj" --caption close-to-design --caption "$name" \
+    --view="$view" --width 1000 --height "$height" "${marks[@]}"
+}
+marks=()
+
+hut=assets/alpine-hut.obj station=assets/train-station.obj twisted=assets/twisted-roof.obj
+
+draw() {
+  case $1 in
+    window-start)
+      window window-start assets/train-station.obj << 'SCRIPT'
 wait_loaded 20
 wait_solved 120
 wait_frames 8
 screenshot PICTURE
 SCRIPT
+      ;;
 
-# In the middle of a solve, so each run gives another moment of it.
-window window-streaming << 'SCRIPT'
+    # In the middle of a solve, so each run gives another moment of it.
+    window-streaming)
+      window window-streaming << 'SCRIPT'
 click Hint/close
 sample train-station 4000
 wait_loaded 20
@@ -59,8 +126,10 @@ expect solving == 1
 wait_frames 2
 screenshot PICTURE
 SCRIPT
+      ;;
 
-window window-dark assets/alpine-hut.obj --theme dark << 'SCRIPT'
+    window-dark)
+      window window-dark assets/alpine-hut.obj --theme dark << 'SCRIPT'
 click Hint/close
 wait_loaded 20
 wait_solved 120
@@ -68,8 +137,10 @@ click "Toolbar/colours Displacement"
 wait_frames 8
 screenshot PICTURE
 SCRIPT
+      ;;
 
-window window-findings assets/train-station.obj << 'SCRIPT'
+    window-findings)
+      window window-findings assets/train-station.obj << 'SCRIPT'
 click Hint/close
 wait_loaded 20
 wait_solved 120
@@ -78,7 +149,71 @@ wait_frames 12
 expect selected_point >= 0
 screenshot PICTURE
 SCRIPT
+      ;;
 
-panels station-panels assets/train-station.obj dual
-panels twisted-roof-panels assets/twisted-roof.obj planarize
-panels torus-panels assets/torus.obj dual
+    station-panels) panels station-panels "$station" dual ;;
+    twisted-roof-panels) panels twisted-roof-panels "$twisted" planarize ;;
+    torus-panels) panels torus-panels assets/torus.obj dual ;;
+
+    figure-2)
+      solve free dual "$hut" --offset 0.1
+      solve clear dual "$hut" --offset 0.1 --no-penetration
+      sheet figure-2 "$work/free.obj" "$work/clear.obj" "$work/free.obj" "$work/clear.obj" --columns 2 \
+        --with "$hut" --mark-crossings --width 900 --height 700 \
+        --caption "Position alone: red panels cross the mesh" --caption "With --no-penetration: none do" \
+        --caption "The same, closer" --caption "The same, closer" \
+        --view=-123:31.5 --view=-123:31.5 --view=-123:31.5:3:-0.5:0:5 --view=-123:31.5:3:-0.5:0:5
+      ;;
+    figure-5)
+      for preset in hll llh hhh; do solve "$preset" planarize "$twisted" --preset "$preset"; done
+      sheet figure-5 "$twisted" "$work"/{hll,llh,hhh}.obj --columns 2 --width 1000 --height 500 --view=-105:32 \
+        --caption "The design, not planar" --caption "HLL: mainly position" \
+        --caption "LLH: mainly the shape of the quads; ripples" --caption "HHH: everything; close to the design"
+      ;;
+    figure-7)
+      solve fair dual "$hut" --offset 0.2 --weights position=0.1,fairing=1
+      solve smooth dual "$hut" --offset 0.2 --weights position=0.1,normal-smoothness=1
+      solve fair-clear dual "$hut" --offset 0.2 --weights position=0.1,fairing=1 --no-penetration
+      solve smooth-clear dual "$hut" --offset 0.2 --weights position=0.1,normal-smoothness=1 --no-penetration
+      sheet figure-7 "$work"/{fair,smooth,fair-clear,smooth-clear}.obj --columns 2 --width 900 --height 860 \
+        --view=-105:45 \
+        --caption "Fairing: flat patches, sharp creases" --caption "Normal smoothness: rounder" \
+        --caption "Fairing, --no-penetration" --caption "Normal smoothness, --no-penetration"
+      ;;
+    figure-8)
+      solve symmetric dual "$station" --preset even-panels --offset 0.2
+      solve unsymmetric dual assets/train-station-unsymmetric.obj --preset even-panels --offset 0.2
+      sheet figure-8 "$work"/{symmetric,unsymmetric}.obj --columns 1 --width 900 --height 760 --view=-90:50 \
+        --caption "Symmetric triangulation" --caption "Unsymmetric triangulation, same parameters"
+      ;;
+
+    preset-close-to-design)
+      solve after dual "$station" --preset close-to-design --offset 0.2
+      sheet preset-close-to-design "$station" "$work/after.obj" --caption "The design" \
+        --caption close-to-design --view=-110:35 --width 1000 --height 270
+      ;;
+    preset-even-panels) pair even-panels dual "$station" -110:35 270 --offset 0.2 ;;
+    preset-smooth-shell) pair smooth-shell dual "$station" -110:35 270 --offset 0.2 ;;
+    preset-faceted-shell) pair faceted-shell dual "$station" -110:35 270 --offset 0.2 ;;
+    preset-close) pair close planarize "$twisted" -105:32 270 ;;
+    preset-uncrossed)
+      marks=(--mark-crossings)
+      crumpled > "$work/crumpled.obj"
+      pair uncrossed planarize "$work/crumpled.obj" -115:55 430
+      marks=()
+      ;;
+    presets-figure-5)
+      letters=(lll llh lhl lhh hll hlh hhl)
+      for preset in "${letters[@]}"; do solve "$preset" planarize "$twisted" --preset "$preset"; done
+      inputs=("$twisted") captions=(--caption "The design")
+      for preset in "${letters[@]}"; do
+        inputs+=("$work/$preset.obj") captions+=(--caption "$preset")
+      done
+      captions[3]="lll, hhh"  # only ratios matter
+      sheet presets-figure-5 "${inputs[@]}" "${captions[@]}" --columns 2 --width 860 --height 900 --view=-105:32
+      ;;
+  esac
+}
+
+if (($# == 0)); then set -- "${names[@]}"; fi
+for name in "$@"; do draw "$name"; done

@@ -45,7 +45,7 @@ std::vector<Preset> make_presets() {
        "4.3",
        true,
        true,
-       {{"position", 1.0}, {"fairing", 0.1}},
+       {{"position", 1.0}, {"fairing", 1.0}},
        {}},
       // Figure 7: normal smoothness rounds, fairing gathers the curvature in creases.
       {"smooth-shell",
@@ -54,7 +54,7 @@ std::vector<Preset> make_presets() {
        "4.3, figure 7",
        true,
        true,
-       {{"position", 0.3}, {"normal-smoothness", 1.0}, {"fairing", 0.05}},
+       {{"position", 0.1}, {"normal-smoothness", 1.0}},
        {}},
       {"faceted-shell",
        "Faceted shell",
