@@ -40,7 +40,7 @@ Result<Steering> common_steering(const SolveCommandOptions& options) {
     if (!demand) return tl::unexpected(demand.error());
     steering.demands.push_back(std::move(*demand));
   }
-  steering.no_penetration = options.no_penetration;
+  if (options.no_penetration) steering.no_penetration = true;
   return steering;
 }
 
@@ -152,7 +152,9 @@ Result<void> prepare_layers(LayerPlan& plan, const SolveCommandOptions& options,
     LayerJob& job = plan.jobs[k];
     LayerSettings& settings = job.layer.settings;
     settings.mode = mode;
-    if (auto steered = steer(plan.common, settings); !steered) return steered;
+    Steering common = plan.common;
+    if (job.steering.no_penetration) common.no_penetration = job.steering.no_penetration;
+    if (auto steered = steer(common, settings); !steered) return steered;
     if (auto steered = steer(job.steering, settings); !steered) {
       Error error = steered.error();
       error.where = "--layers, layer '" + job.layer.name + "'";

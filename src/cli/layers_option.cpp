@@ -201,8 +201,8 @@ Result<std::vector<LayerRequest>> parse_layers_file(const std::string& path) {
   Json json;
   try {
     json = Json::parse(*content);
-  } catch (const Json::parse_error& wrong) {
-    return fail(ErrorCode::Unreadable, std::string("the file is not JSON: ") + wrong.what(), path);
+  } catch (const Json::exception& wrong) {  // besides its grammar also a number that no double holds
+    return fail(ErrorCode::Unreadable, std::string("the file cannot be read as JSON: ") + wrong.what(), path);
   }
   if (!json.is_object() || json.size() != 1 || !json.contains("layers") || !json["layers"].is_array())
     return fail(ErrorCode::Unreadable, "the file is not of the form {\"layers\": [...]}", path,

@@ -1,10 +1,25 @@
 #include "cli/steering.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "core/design/presets.h"
 
 namespace planewright::cli {
+namespace {
+
+// Only what was there before gives way. The same twice is one.
+void add_demands(const std::vector<Demand>& added, std::vector<Demand>& list) {
+  std::erase_if(list, [&](const Demand& there) {
+    return std::any_of(added.begin(), added.end(), [&](const Demand& demand) {
+      return demand.name == there.name && demand.selection == there.selection;
+    });
+  });
+  for (const Demand& demand : added)
+    if (std::find(list.begin(), list.end(), demand) == list.end()) list.push_back(demand);
+}
+
+}  // namespace
 
 Result<void> steer(const Steering& steering, LayerSettings& settings) {
   if (!steering.preset.empty()) {
@@ -17,7 +32,7 @@ Result<void> steer(const Steering& steering, LayerSettings& settings) {
     }
   }
   for (const auto& [energy, weight] : steering.weights) settings.weights[energy] = weight;
-  if (steering.no_penetration) {
+  if (steering.no_penetration.value_or(false)) {
     if (settings.mode != ComplexKind::Dual)
       return fail(ErrorCode::Usage, "panels that lie in the mesh's own faces cannot stay clear of it",
                   "--no-penetration", "Use it with dual");
@@ -25,7 +40,7 @@ Result<void> steer(const Steering& steering, LayerSettings& settings) {
     for (const char* demand : {"vertex", "face", "edge"})
       set_demand(settings.demands.list, {demand, true, {}, {}});
   }
-  for (const Demand& demand : steering.demands) set_demand(settings.demands.list, demand);
+  add_demands(steering.demands, settings.demands.list);
   if (steering.margin) settings.demands.margin = *steering.margin;
   if (steering.side) settings.side = *steering.side;
   return {};

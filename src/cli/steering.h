@@ -15,14 +15,17 @@ namespace planewright::cli {
 struct Steering {
   std::string preset;                     // empty: none
   std::map<std::string, double> weights;  // over the preset's
-  std::vector<Demand> demands;            // besides the preset's; of the same name and selection: instead
-  bool no_penetration = false;
+  // Besides those that are there; of the same name and selection: instead. Among themselves all hold, so that
+  // two that contradict each other are found out.
+  std::vector<Demand> demands;
+  std::optional<bool> no_penetration;  // none: as for all layers
   std::optional<double> margin;
   std::optional<Side> side;
 };
 
 // Puts steering onto settings, whose mode is decided. Fails with ErrorCode::Usage: an unknown preset or one
-// that does not fit the mode (the ones that do are listed), --no-penetration when planarizing.
+// that does not fit the mode (the ones that do are listed), --no-penetration when planarizing. What it is to
+// switch off must not be switched on before: demands stay where they are.
 Result<void> steer(const Steering& steering, LayerSettings& settings);
 
 }  // namespace planewright::cli

@@ -161,7 +161,8 @@ TEST_F(Layers, RefuseListsThatAreNone) {
     all.insert(all.end(), saying.begin(), saying.end());
     refuse({"--layers", file}, 3, all);
   };
-  refuse_file("{\n\"layers\": [}", {"not JSON", "line 2"});
+  refuse_file("{\n\"layers\": [}", {"as JSON", "line 2"});
+  refuse_file(R"({"layers": [{"name": "a", "offset": 1e999}]})", {"as JSON", "1e999"});
   refuse_file("[]", {"layers"});
   refuse_file(R"({"layers": []})", {"no layer"});
   refuse_file(R"({"layers": [{"offset": 1}]})", {"layer 1", "no name"});
@@ -176,6 +177,24 @@ TEST_F(Layers, RefuseListsThatAreNone) {
   refuse_file(R"({"layers": [{"name": "a", "constraints": ["pretty"]}]})", {"pretty", "vertex"});
   refuse_file(R"({"layers": [{"name": "a", "side": "left"}]})", {"side", "left"});
   refuse_file(R"({"layers": [{"name": "a", "coplanar_with": "b"}, {"name": "b"}]})", {"'b'", "earlier"});
+}
+
+// A layer may go without what the others keep; what was asked for by name stays.
+TEST_F(Layers, NoPenetrationCanBeSwitchedOffForOne) {
+  const std::string input = sample("dome", 40);
+  folder_.write(
+      "layers.json",
+      R"({"layers": [{"name": "a", "offset": 0.2}, {"name": "b", "offset": 0.5, "no_penetration": false}]})");
+  const Json both = report(input, {"--layers", path("layers.json"), "--no-penetration"});
+  EXPECT_EQ(both["layers"][0]["no_penetration"], true);
+  EXPECT_EQ(both["layers"][0]["demands"].size(), 3u);
+  EXPECT_EQ(both["layers"][1]["no_penetration"], false);
+  EXPECT_TRUE(both["layers"][1]["demands"].empty());
+  EXPECT_TRUE(both["layers"][1]["crossings"].is_null());
+  const Json named =
+      report(input, {"--layers", path("layers.json"), "--no-penetration", "--constraint", "face"});
+  ASSERT_EQ(named["layers"][1]["demands"].size(), 1u);
+  EXPECT_EQ(named["layers"][1]["demands"][0]["name"], "face");
 }
 
 // What is wrong with a later layer is found before the first one is solved.

@@ -251,6 +251,25 @@ TEST_F(Steering, ContradictionsNameBoth) {
   refuse(input, {"--pin", path("pins.txt")}, 4, {"pins.txt:1", "pins.txt:3", "face 0"});
 }
 
+// The same twice is no mistake; two bands both hold, and where they exclude each other neither wins silently.
+TEST_F(Steering, ConstraintsOfOneNameAllHold) {
+  const std::string input = sample("dome", 40);
+  const Ended apart =
+      solve("dual", input, {"--constraint", "offset-band=0.1:0.2", "--constraint", "offset-band=0.3:0.4"});
+  expect_refusal(apart, 4, {"offset-band", "contradict"});
+  EXPECT_FALSE(exists("p.obj"));
+  const Json both =
+      report("dual", input, {"--constraint", "offset-band=0.25:0.4", "--constraint", "offset-band=0.1:0.3"});
+  EXPECT_EQ(both["demands"].size(), 2u);
+  EXPECT_GE(lifts(input).minCoeff(), 0.25);
+  EXPECT_LE(lifts(input).maxCoeff(), 0.3);
+  EXPECT_EQ(report("dual", input, {"--constraint", "face", "--constraint", "face"})["demands"].size(), 1u);
+  // Over a preset's.
+  const Json over = report("planarize", sample("twisted-roof", 40),
+                           {"--preset", "uncrossed", "--constraint", "uncrossed=0.002:0.05"});
+  EXPECT_EQ(over["demands"], Json::parse(R"([{"name": "uncrossed", "values": [0.002, 0.05]}])"));
+}
+
 TEST_F(Steering, APinOutsideItsBandIsRefused) {
   const std::string input = sample("dome", 40);
   folder_.write("pins.txt", "face 0 100 100 100\n");
