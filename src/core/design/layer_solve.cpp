@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -93,11 +94,16 @@ class LayerSolver {
     State at = start_;
     separations_.clear();
     best_ = std::numeric_limits<double>::infinity();
+    best_report_.reset();
     for (int attempt = 1;; ++attempt) {
       FrozenGeometry frozen{&at, layer_.reference, layer_.neighbour, separations_};
       const auto problem = build_problem(layer_.complex, settings_, layer_.selections, frozen);
       if (!problem) return tl::unexpected(problem.error());
-      SolveReport report = make_ipopt_solver()->solve(**problem, at, options_, &observer_, stop_);
+      frozen_at_ = at;
+      SolveOptions options = options_;
+      options.near_solution = attempt > 1 && fresh_;
+      fresh_ = false;
+      SolveReport report = make_ipopt_solver()->solve(**problem, at, options, &observer_, stop_);
       observer_.next_round();
       report.iterations = iterations_ += report.iterations;
       report.seconds = seconds_ += report.seconds;
@@ -110,18 +116,27 @@ class LayerSolver {
         separations_.clear();
         continue;
       }
-      if (usable(report) && !last &&
-          ((follows_surface_ && feet_moved(at, report.state)) || (follows_border_ && gains(report)))) {
+      const bool still_moves = usable(report) && ((follows_surface_ && follows_on(at, report)) ||
+                                                  (!follows_surface_ && follows_border_ && gains(report)));
+      if (still_moves && !last) {
         at = report.state;
+        fresh_ = true;
         continue;
       }
+      if (still_moves && report.status == SolveStatus::Converged) {
+        report.status = SolveStatus::Planar;
+        report.stop_reason = "foot points or points of the border still moved after " +
+                             std::to_string(kMostRounds) + " rounds";
+      }
       if (!settings_.no_penetration || report.status == SolveStatus::Failed) return report;
-      const std::vector<Crossing> crossings = crossings_of(report.state);
+      std::vector<Crossing> crossings = crossings_of(report.state);
       report.crossings = static_cast<int>(crossings.size());
+      report.crossings_waived = static_cast<int>(leave_out_waived(crossings));
       if (crossings.empty() || !usable(report)) return report;
       if (!last && attempt < kMostRounds - kRoundsForConflicts) {
         separate(crossings);
         at = report.state;
+        fresh_ = true;
       } else if (!last && gives_up_) {
         give_up_crossing(crossings);
         at = start_;
@@ -138,7 +153,7 @@ class LayerSolver {
   // Those of the conflicts that are violated at the result.
   std::set<Waiver> still_violated(const SolveReport& report) const {
     std::set<Waiver> violated;
-    FrozenGeometry frozen{&report.state, layer_.reference, layer_.neighbour, {}};
+    FrozenGeometry frozen{&frozen_at_, layer_.reference, layer_.neighbour, {}};
     if (const auto whole = build_problem(layer_.complex, layer_.settings, layer_.selections, frozen)) {
       const Vector z = (*whole)->from_state(report.state);
       for (const auto& v : (*whole)->violated_rows(z.data(), options_.planarity_tolerance))
@@ -182,12 +197,39 @@ class LayerSolver {
     return true;
   }
 
-  bool feet_moved(const State& before, const State& after) const {
+  // Largest move of a foot point, mean edges.
+  double feet_moved(const State& before, const State& after) const {
     const auto old_feet = foot_points(*layer_.complex, before.x, layer_.reference.get());
     const auto new_feet = foot_points(*layer_.complex, after.x, layer_.reference.get());
-    if (!old_feet || !new_feet) return false;  // Problem::create has told why
-    const double most = (old_feet->foot - new_feet->foot).rowwise().norm().maxCoeff();
-    return most > kFootSettled * layer_.complex->mean_edge;
+    if (!old_feet || !new_feet) return 0.0;  // Problem::create has told why
+    return (old_feet->foot - new_feet->foot).rowwise().norm().maxCoeff() / layer_.complex->mean_edge;
+  }
+
+  // Whether another round with renewed foot points is worth it. Where two places of the surface are equally
+  // near, a foot point may jump to and fro for ever: then the energy with renewed feet no longer falls, and
+  // the best round is kept.
+  bool follows_on(const State& at, SolveReport& report) {
+    const double moved = feet_moved(at, report.state);
+    if (moved <= kFootSettled) return false;
+    const FrozenGeometry renewed{&report.state, layer_.reference, layer_.neighbour, separations_};
+    const auto problem = build_problem(layer_.complex, settings_, layer_.selections, renewed);
+    if (!problem) return false;
+    const double energy = (*problem)->objective((*problem)->from_state(report.state).data());
+    if (energy < (1.0 - kGain) * best_) {
+      best_ = energy;
+      best_report_ = report;
+      return true;
+    }
+    if (best_report_ && energy > best_) {
+      const int iterations = report.iterations, rounds = report.rounds;
+      const double seconds = report.seconds;
+      report = *best_report_;
+      report.iterations = iterations;
+      report.rounds = rounds;
+      report.seconds = seconds;
+    }
+    report.stop_reason += "; some foot points go to and fro between places that are equally near";
+    return false;
   }
 
   // A point that has slid to the end of its piece of the border goes on along the next one; worth another
@@ -201,12 +243,14 @@ class LayerSolver {
   std::vector<Crossing> crossings_of(const State& state) const {
     const TangentComplex& complex = *layer_.complex;
     const Surface panels{state.x, complex.panels}, mesh{complex.input.vertices, complex.input.faces};
-    auto crossings = find_crossings(panels, mesh, settings_.demands.margin * complex.mean_edge);
+    return find_crossings(panels, mesh, settings_.demands.margin * complex.mean_edge);
+  }
+  // How many there were.
+  size_t leave_out_waived(std::vector<Crossing>& crossings) const {
     const std::set<Waiver> waived(settings_.demands.waived.begin(), settings_.demands.waived.end());
-    std::erase_if(crossings, [&](const Crossing& c) {
+    return std::erase_if(crossings, [&](const Crossing& c) {
       return waived.contains({"no-penetration", {ElementKind::Panel, c.first}});
     });
-    return crossings;
   }
 
   // A plane between the two triangles of each crossing pair, for the panel's three corners to stay behind.
@@ -229,8 +273,11 @@ class LayerSolver {
 
   void conclude(SolveReport& report) {
     if (conflicts_.empty()) return;
+    if (!usable(report)) {
+      report.stop_reason += "; giving up " + std::to_string(conflicts_.size()) + " demands was not enough";
+      return;
+    }
     report.conflicts.assign(conflicts_.begin(), conflicts_.end());
-    if (!usable(report)) return;
     report.stop_reason = "some demands cannot be met together with the others; without " +
                          std::to_string(conflicts_.size()) + " of them: " + report.stop_reason;
     report.status = SolveStatus::Infeasible;
@@ -239,16 +286,16 @@ class LayerSolver {
 
   // Violations are those of everything that was asked for, not of what was left.
   void measure_all_demands(SolveReport& report) const {
-    FrozenGeometry frozen{&report.state, layer_.reference, layer_.neighbour, {}};
+    FrozenGeometry frozen{&frozen_at_, layer_.reference, layer_.neighbour, {}};
     const auto whole = build_problem(layer_.complex, layer_.settings, layer_.selections, frozen);
     if (!whole) return;  // it was built before from the same settings
     const Vector z = (*whole)->from_state(report.state);
     report.constraints.clear();
     for (const auto& v : (*whole)->violations(z.data(), options_.planarity_tolerance))
-      report.constraints.push_back({v.name, v.max_violation, v.violated, v.unit, v.rows, v.worst});
+      report.constraints.push_back({v.name, v.max_violation, v.violated, v.unit, v.rows, v.worst, v.waived});
   }
 
-  static constexpr int kMostRounds = 12, kRoundsForConflicts = 3;
+  static constexpr int kMostRounds = 16, kRoundsForConflicts = 6;
   static constexpr double kFootSettled = 1e-3;  // mean edges
   static constexpr double kGain = 1e-4;         // of the energy
   static constexpr double kShareOfWorst = 0.05;
@@ -262,10 +309,13 @@ class LayerSolver {
   std::stop_token stop_;
   std::set<Waiver> asked_, conflicts_;
   std::vector<Separation> separations_;
+  State frozen_at_;     // where the last round's geometry was taken
+  bool fresh_ = false;  // the round begins at the result of the one before
   bool follows_surface_ = false, follows_border_ = false, gives_up_ = true;
   int rounds_ = 0, iterations_ = 0;
   double seconds_ = 0.0;
-  double best_ = std::numeric_limits<double>::infinity();
+  double best_ = std::numeric_limits<double>::infinity();  // energy of the best round so far
+  std::optional<SolveReport> best_report_;
 };
 
 }  // namespace

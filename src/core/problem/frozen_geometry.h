@@ -1,5 +1,5 @@
 // FrozenGeometry: what a Problem takes from outside its complex and holds still while it is solved. Rounds of
-// solves (design/design_solve.h) renew it: foot points follow the state, crossing pairs get separating planes.
+// solves (design/layer_solve.h) renew it: foot points follow the state, crossing pairs get separating planes.
 #pragma once
 
 #include <memory>
@@ -26,10 +26,11 @@ struct NeighbourLayer {
 };
 
 struct FrozenGeometry {
-  // Where foot points and alternatives are taken; null: the complex's wanted points and planes.
+  // The state at which foot points are taken and points are given their piece of the border; null: the
+  // complex's wanted points and planes.
   const State* at = nullptr;
-  std::shared_ptr<const ReferenceSurface> reference;      // null: the mesh itself
-  std::shared_ptr<const NeighbourLayer> neighbour;        // null: none
+  std::shared_ptr<const ReferenceSurface> reference;  // null: the mesh itself
+  std::shared_ptr<const NeighbourLayer> neighbour;    // null: none
   std::vector<Separation> separations;
 };
 

@@ -177,11 +177,11 @@ Result<void> Problem::add_demands(const ProblemSettings& settings, const FrozenG
       if (found == settings.selections.end()) {
         std::string known;
         for (const Selection& s : settings.selections) known += (known.empty() ? "" : ", ") + s.name;
-        return fail(ErrorCode::Usage,
-                    "there is no selection '" + demand.selection + "' for the demand '" + demand.name + "'",
-                    "demands",
-                    (known.empty() ? "There are none" : "Known: " + known) +
-                        "; leave it out for the whole model");
+        return fail(
+            ErrorCode::Usage,
+            "there is no selection '" + demand.selection + "' for the demand '" + demand.name + "'",
+            "demands",
+            (known.empty() ? "There are none" : "Known: " + known) + "; leave it out for the whole model");
       }
       selection = &*found;
     }
@@ -278,12 +278,15 @@ void Problem::assemble() {
 }
 
 void Problem::waive(const std::vector<Waiver>& waivers) {
+  given_up_.assign(static_cast<size_t>(rows_), 0);
   if (waivers.empty()) return;
   const std::set<Waiver> given_up(waivers.begin(), waivers.end());
   for (const ConstraintTerm& term : constraints_)
     for (int row = 0; row < term.constraint->rows(); ++row)
-      if (given_up.contains({std::string(term.constraint->name()), term.constraint->element(row)}))
+      if (given_up.contains({std::string(term.constraint->name()), term.constraint->element(row)})) {
         bounds_[term.first_row + row] = {-kUnbounded, kUnbounded};
+        given_up_[static_cast<size_t>(term.first_row + row)] = 1;
+      }
 }
 
 const Constraint& Problem::family(int row, int& row_in_family) const {
@@ -480,6 +483,7 @@ std::vector<Problem::ConstraintViolation> Problem::violations(const double* z, d
     entry->rows += term.constraint->rows();
     for (int row = 0; row < term.constraint->rows(); ++row) {
       const int r = term.first_row + row;
+      entry->waived += given_up_[static_cast<size_t>(r)];
       if (waived[r]) continue;
       const double v = violation(values[r], bounds_[r]);
       if (v > entry->max_violation) {

@@ -119,6 +119,7 @@ class Problem {
     double max_violation = 0.0;
     int violated = 0;  // rows beyond the tolerance
     int rows = 0;
+    int waived = 0;    // of these, rows that were given up
     ElementRef worst;  // where max_violation is; meaningless if that is 0
   };
   std::vector<ConstraintViolation> violations(const double* z, double tolerance) const;
@@ -164,6 +165,7 @@ class Problem {
   std::vector<EnergyTerm> energies_;
   std::vector<ConstraintTerm> constraints_;
   std::vector<Bounds> bounds_;
+  std::vector<char> given_up_;  // #rows
   SparsePattern jacobian_, hessian_, residual_pattern_;
   std::pair<int, int> unit_normal_rows_{0, 0};
   bool has_demands_ = false, has_alternatives_ = false;

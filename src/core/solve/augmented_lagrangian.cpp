@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/solve/hold.h"
 #include "core/solve/tangent_equations.h"
 
 namespace planewright {
@@ -29,6 +30,7 @@ class AugmentedLagrangian {
         options_(options),
         observer_(observer),
         stop_(std::move(stop)),
+        hold_(problem, z),
         share_(1.0 / problem.largest_weight()),
         begun_(Clock::now()) {
     const auto rows = static_cast<size_t>(problem.rows());
@@ -71,7 +73,7 @@ class AugmentedLagrangian {
   }
 
   double lagrangian(const Vector& z) const {
-    double sum = share_ * problem_.objective(z.data());
+    double sum = share_ * problem_.objective(z.data()) + hold_.value(z.data());
     Vector values(problem_.rows());
     problem_.constraint_values(z.data(), values.data());
     for (int row = 0; row < problem_.rows(); ++row) {
@@ -96,6 +98,14 @@ class AugmentedLagrangian {
       slopes_[r] = penalty_ * miss;
     }
     equations_.assemble(share_, weights_, slopes_);
+    add_hold();
+  }
+
+  void add_hold() {
+    if (!hold_.active()) return;
+    Vector slope = Vector::Zero(equations_.unknowns());
+    slope.head(3 * problem_.layout().points) = hold_.gradient(z_.data());
+    equations_.add_slope(slope);
   }
 
   // At most kInner accepted steps; how many there were.
@@ -108,7 +118,7 @@ class AugmentedLagrangian {
       for (bool done = false; !done;) {
         if (report_.steps >= options_.max_steps || stop_.stop_requested()) return accepted;
         const double on_points = kPointShare * damping_ + kTowardsHere;
-        const Vector step = equations_.step(on_points, damping_);
+        const Vector step = equations_.step(on_points + (hold_.active() ? hold_.curvature() : 0.0), damping_);
         ++report_.steps;
         double ratio = -1.0;
         Vector trial;
@@ -166,6 +176,7 @@ class AugmentedLagrangian {
           std::max(report_.infeasibility, std::abs(values[row] - within(row, values[row])));
     }
     equations_.assemble(share_, weights_, slopes_);
+    add_hold();
     report_.first_order = equations_.gradient().lpNorm<Eigen::Infinity>();
     report_.converged =
         report_.infeasibility <= options_.feasible && report_.first_order <= options_.first_order;
@@ -194,6 +205,7 @@ class AugmentedLagrangian {
   const AugmentedLagrangianOptions& options_;
   SolveObserver* observer_;
   std::stop_token stop_;
+  Hold hold_;
   double share_;  // energies relative to the largest weight
   Clock::time_point begun_;
   std::vector<char> skip_, waived_;

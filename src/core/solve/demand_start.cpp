@@ -1,5 +1,7 @@
 #include "core/solve/demand_start.h"
 
+#include <algorithm>
+
 #include "core/solve/augmented_lagrangian.h"
 #include "core/solve/demand_projection.h"
 
@@ -28,22 +30,34 @@ struct Attempt {
 };
 constexpr Attempt kAttempts[] = {{26, 3e3}, {60, 1e4}, {120, 1e4}};
 
+// A projection that moves a point farther than this, edges, has left the solution that it was near to.
+constexpr double kNear = 0.5;
+
 }  // namespace
 
-DemandStart find_demand_start(const Problem& problem, const Vector& z, SolveObserver* observer,
-                              std::stop_token stop) {
+DemandStart find_demand_start(const Problem& problem, const Vector& z, const DemandStartOptions& limits,
+                              SolveObserver* observer, std::stop_token stop) {
   DemandStart start;
+  if (limits.near_solution) {
+    start.z = z;
+    const DemandProjectionReport report =
+        project_onto_demands(problem, start.z, kDemandProjectionSteps, stop);
+    start.met = report.met && report.move <= kNear;
+    if (start.met) return start;
+  }
+  int left = limits.max_steps;
   Vector stepped = z;
   Counter counter(observer);
   for (const Attempt& attempt : kAttempts) {
     AugmentedLagrangianOptions options;
-    options.max_steps = attempt.steps;
+    options.max_steps = std::min(attempt.steps, left);
+    left -= options.max_steps;
     options.most_penalty = attempt.most_penalty;
     options.first_iteration = counter.count;
     minimise_augmented_lagrangian(problem, stepped, options, &counter, stop);
     start.z = stepped;
     start.met = project_onto_demands(problem, start.z, kDemandProjectionSteps, stop).met;
-    if (start.met || stop.stop_requested()) break;
+    if (start.met || left <= 0 || stop.stop_requested()) break;
   }
   start.steps = counter.count;
   return start;

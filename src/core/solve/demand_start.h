@@ -20,7 +20,12 @@ struct DemandStart {
   int steps = 0;     // iterations told to the observer
 };
 
-DemandStart find_demand_start(const Problem& problem, const Vector& z, SolveObserver* observer,
-                              std::stop_token stop);
+struct DemandStartOptions {
+  int max_steps = 500;         // factorisations of the augmented Lagrangian, all attempts together
+  bool near_solution = false;  // try the projection alone first (SolveOptions::near_solution)
+};
+
+DemandStart find_demand_start(const Problem& problem, const Vector& z, const DemandStartOptions& options,
+                              SolveObserver* observer, std::stop_token stop);
 
 }  // namespace planewright

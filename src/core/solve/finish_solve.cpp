@@ -74,7 +74,7 @@ void finish_solve(const Problem& problem, const Vector& z, const Vector& multipl
   int violated = 0;
   for (const auto& violation : violations) {
     report.constraints.push_back({violation.name, violation.max_violation, violation.violated, violation.unit,
-                                  violation.rows, violation.worst});
+                                  violation.rows, violation.worst, violation.waived});
     violated += violation.violated;
     if (problem.has_demands() && violation.name == "incidence")
       report.incidence_residual = violation.max_violation;

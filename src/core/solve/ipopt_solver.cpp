@@ -21,6 +21,7 @@
 #include "core/solve/curvature_schedule.h"
 #include "core/solve/demand_start.h"
 #include "core/solve/finish_solve.h"
+#include "core/solve/hold.h"
 #include "core/solve/mumps_gate.h"
 #include "core/solve/projection.h"
 
@@ -43,6 +44,8 @@ struct Kept {
 constexpr double kNearlyFeasible = 1e-4;
 // Share of the tolerance at which steps end, so that the projection afterwards has room.
 constexpr double kStopShare = 0.8;
+// Share of the tolerance below which the barrier of inequalities has to be.
+constexpr double kBarrierShare = 0.01;
 // Share of the tolerance below which further exact steps would only shuffle the last digits.
 constexpr double kFarBelow = 1e-5;
 // Root mean square move of the first step, edges, beyond which another start is tried; real designs stay
@@ -64,6 +67,7 @@ class Adapter final : public Ipopt::TNLP {
           SolveObserver* observer, std::stop_token stop)
       : problem_(problem),
         waived_(problem.waived_at(start.data())),
+        hold_(problem, start),
         weight_(problem.largest_weight()),
         start_(std::move(start)),
         options_(options),
@@ -109,11 +113,13 @@ class Adapter final : public Ipopt::TNLP {
 
   bool eval_f(Index, const Number* z, bool, Number& value) override {
     value = problem_.objective(z) / weight_;
+    value += hold_.value(z);
     return std::isfinite(value);
   }
   bool eval_grad_f(Index n, const Number* z, bool, Number* out) override {
     problem_.gradient(z, out);
     for (Index v = 0; v < n; ++v) out[v] /= weight_;
+    if (hold_.active()) Eigen::Map<Vector>(out, 3 * problem_.layout().points) += hold_.gradient(z);
     return all_finite(out, n);
   }
   bool eval_g(Index, const Number* z, bool, Index m, Number* out) override {
@@ -132,11 +138,14 @@ class Adapter final : public Ipopt::TNLP {
     problem_.hessian_values(z, factor / weight_, curvature_.exact() ? multipliers : no_multipliers_.data(),
                             values);
     if (!curvature_.exact()) damp_planes(values);
+    if (hold_.active())
+      for (Index v = 0; v < 3 * problem_.layout().points; ++v)
+        values[problem_.hessian_diagonal()[static_cast<size_t>(v)]] += factor * hold_.curvature();
     return all_finite(values, slots);
   }
 
   bool intermediate_callback(Ipopt::AlgorithmMode mode, Index number, Number objective, Number infeasibility,
-                             Number first_order, Number, Number step, Number, Number, Number, Index,
+                             Number first_order, Number barrier, Number step, Number, Number, Number, Index,
                              const Ipopt::IpoptData* data,
                              Ipopt::IpoptCalculatedQuantities* quantities) override {
     Iteration iteration;
@@ -168,7 +177,7 @@ class Adapter final : public Ipopt::TNLP {
         observer_->on_iteration(iteration, nullptr);
       }
     }
-    if (own_termination_ && known && is_converged(now, infeasibility, first_order)) return false;
+    if (own_termination_ && known && is_converged(now, infeasibility, first_order, barrier)) return false;
     // Where the design's edges run along asymptotic directions (a hypar along its rulings), the incidences
     // linearised at the start are nearly contradictory, and the first step throws the points far away.
     if (number == 1 && known && may_start_elsewhere && moved(now.z) > kFirstStepTooLong) {
@@ -279,6 +288,7 @@ class Adapter final : public Ipopt::TNLP {
 
   const Problem& problem_;
   std::vector<char> waived_;  // #rows
+  Hold hold_;
   // Ipopt sees the weights relative to the largest one: its tolerances, and the damping, then mean the same
   // whatever unit the weights are thought in.
   double weight_;
@@ -291,8 +301,10 @@ class Adapter final : public Ipopt::TNLP {
   // Our own test. Exact steps converge quadratically, so once below the tolerance they go on while each still
   // gains an order of magnitude: a step or two more, and the result no longer depends on where exactly the
   // test was met (the same design, moved or turned, gives the same points to 1e-6 edges).
-  bool is_converged(const Kept& now, double infeasibility, double first_order) {
-    const bool met = infeasibility <= kFeasible && first_order <= kStopShare * options_.tolerance;
+  // barrier: what is left of every inequality's slack times its multiplier.
+  bool is_converged(const Kept& now, double infeasibility, double first_order, double barrier) {
+    const bool met = infeasibility <= kFeasible && first_order <= kStopShare * options_.tolerance &&
+                     (!problem_.has_demands() || barrier <= kBarrierShare * options_.tolerance);
     const bool gains = met && first_order <= 0.1 * met_at_;
     if (!converged && !met) return false;
     if (gains || !converged) {
@@ -377,7 +389,8 @@ class IpoptSolver final : public Solver {
     Vector z = problem.from_state(start);
     std::optional<DemandStart> demands;
     if (problem.has_demands() && overrides_.own_termination) {
-      demands = find_demand_start(problem, z, observer, stop);
+      demands =
+          find_demand_start(problem, z, {options.max_iterations, options.near_solution}, observer, stop);
       // Not met, or nobody waits: Ipopt would only spend longer on the same.
       if (!demands->met || stop.stop_requested()) {
         SolveReport report;
@@ -425,23 +438,26 @@ class IpoptSolver final : public Solver {
       outcome = {SolveStatus::Failed, "out of memory"};
     }
 
-    const auto finished = [&](const Vector& at, const Vector& multipliers) {
+    const auto finished = [&](const Vector& at, const Vector& multipliers, const Outcome& end) {
       SolveReport report;
       report.solver = "ipopt";
-      report.status = outcome.status;
-      report.stop_reason = outcome.reason;
+      report.status = end.status;
+      report.stop_reason = end.reason;
       report.iterations = adapter->iterations;
       finish_solve(problem, at, multipliers, options, report);
       return report;
     };
-    SolveReport report = finished(adapter->best.z, adapter->best.multipliers);
+    SolveReport report = finished(adapter->best.z, adapter->best.multipliers, outcome);
     if (report.status == SolveStatus::Planar || report.status == SolveStatus::NotPlanar ||
         report.status == SolveStatus::Infeasible) {
       // Of a solve that ended early all iterates may be so far from planar that the projection spoils them;
       // what it makes of the start is the least that a solve may give.
-      SolveReport from_start = finished(z, Vector::Zero(problem.rows()));
+      SolveReport from_start = finished(
+          z, Vector::Zero(problem.rows()),
+          {SolveStatus::Planar, outcome.reason + "; the state it began with is kept, which was better"});
       if (from_start.status == SolveStatus::Planar &&
-          (report.status != SolveStatus::Planar || objective(from_start) < objective(report)))
+          (report.status != SolveStatus::Planar ||
+           objective(from_start) < (1.0 - kClearlyBetter) * objective(report)))
         report = std::move(from_start);
     }
     report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
@@ -450,6 +466,7 @@ class IpoptSolver final : public Solver {
 
  private:
   static constexpr int kRestarts = 2;
+  static constexpr double kClearlyBetter = 1e-3;  // of the energy
 
   static double objective(const SolveReport& report) {
     double sum = 0.0;

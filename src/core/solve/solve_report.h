@@ -43,14 +43,16 @@ struct SolveReport {
     std::string unit = {};
     int rows = 0;
     ElementRef worst = {};  // where max_violation is; meaningless if that is 0
+    int waived = 0;         // rows that were given up (Demands::waived) and do not count in the others
   };
   std::vector<Constraint> constraints;
   // Infeasible: demands at elements that cannot be met together with the rest; without them (LayerSettings::
   // demands.waived) the same solve succeeds, and `state` is its result.
   std::vector<Waiver> conflicts;
   int rounds = 1;      // solves that it took: renewed foot points, separated crossings, conflicts set aside
-  int crossings = -1;  // pairs of a panel and a mesh triangle that cross; -1: not counted
-  State state;         // model units, like every State
+  int crossings = -1;  // pairs of a panel and a mesh face that cross; -1: not counted
+  int crossings_waived = 0;  // of these, pairs at panels where "no-penetration" was given up
+  State state;               // model units, like every State
   Vector multipliers;  // of the problem's constraint rows (normalised units), for warm starts; may be empty
 };
 

@@ -15,7 +15,10 @@ struct SolveOptions {
   int max_iterations = 500;
   double tolerance = 3e-4;            // first-order residual, see SolveReport::first_order_residual
   double planarity_tolerance = 1e-9;  // mean edges; what counts as planar after the projection
-  std::stop_token abandoned;          // nobody wants the result any more: end without the final projection
+  // The start is the result of a solve of nearly the same problem: where it (almost) meets every row, what
+  // finds such a state is left out.
+  bool near_solution = false;
+  std::stop_token abandoned;  // nobody wants the result any more: end without the final projection
 };
 
 class Solver {

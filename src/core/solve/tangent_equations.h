@@ -32,6 +32,9 @@ class TangentEquations {
 
   // weights, slopes: #rows. energy_factor scales the energies (0 leaves them out).
   void assemble(double energy_factor, std::span<const double> weights, std::span<const double> slopes);
+  // Adds to the gradient of what was assembled (#unknowns): a further energy, whose Hessian goes with the
+  // damping.
+  void add_slope(const Vector& slope) { gradient_ += slope; }
   // Adds damping to the diagonal of what was assembled, factorises and solves. Empty if the factorisation
   // failed.
   Vector step(double point_damping, double plane_damping);

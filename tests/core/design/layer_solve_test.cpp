@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 
 #include "core/design/design.h"
 #include "core/diagnose/crossings.h"
@@ -137,6 +139,65 @@ TEST(LayerSolve, FootPointsFollowTheState) {
     return squares;
   };
   EXPECT_LT(distance(close.state), 0.9 * distance(far.state));
+}
+
+// Where no energy holds the points, inequalities must not push them away.
+TEST(LayerSolve, EnergiesThatLeavePointsFreeStayNear) {
+  using Weights = std::map<std::string, double>;
+  for (const Weights& weights :
+       {Weights{}, Weights{{"proxy-normal", 1.0}}, Weights{{"position", 1e-5}, {"fairing", 1.0}}}) {
+    LayerSettings settings = with({{"vertex"}, {"face"}, {"edge"}});
+    settings.weights = weights;
+    settings.no_penetration = true;
+    const LayerProblem layer = layer_of(make_sample("torus", 60).value(), settings, 0.2);
+    const SolveReport report = solve(layer);
+    EXPECT_EQ(report.crossings, 0);
+    EXPECT_LE(report.incidence_residual, 1e-12);
+    const double farthest = (report.state.x - layer.complex->preferred).rowwise().norm().maxCoeff();
+    EXPECT_LT(farthest, 3.0 * layer.complex->mean_edge)
+        << weights.size() << " weights: " << report.stop_reason;
+  }
+}
+
+// What is given up is neither met nor uncounted.
+TEST(LayerSolve, CountsWhatWasGivenUp) {
+  LayerProblem layer = layer_of(make_sample("alpine-hut", 100).value(), with({{"face"}}), 0.05);
+  layer.settings.no_penetration = true;
+  for (int i = 0; i < layer.complex->plane_count(); ++i) {
+    layer.settings.demands.waived.push_back({"face", {ElementKind::Panel, i}});
+    layer.settings.demands.waived.push_back({"no-penetration", {ElementKind::Panel, i}});
+  }
+  const SolveReport report = solve(layer);
+  EXPECT_EQ(report.status, SolveStatus::Converged) << report.stop_reason;
+  EXPECT_EQ(report.crossings, crossings_with_the_mesh(layer, report.state));
+  EXPECT_GT(report.crossings, 0);
+  EXPECT_EQ(report.crossings_waived, report.crossings);
+  const auto face = std::find_if(report.constraints.begin(), report.constraints.end(),
+                                 [](const auto& c) { return c.name == "face"; });
+  ASSERT_NE(face, report.constraints.end());
+  EXPECT_EQ(face->rows, layer.complex->plane_count());
+  EXPECT_EQ(face->waived, face->rows);
+}
+
+// A closed dual of triangles has as many beams as its planes have unknowns.
+TEST(LayerSolve, FlatBeamsOfAClosedDualAreMet) {
+  LayerProblem outer = layer_of(make_sample("torus", 60).value(), {}, 0.1);
+  const SolveReport first = solve(outer);
+  LayerProblem inner = layer_of(make_sample("torus", 60).value(), with({{"coplanar-beams"}}), -0.1);
+  inner.neighbour = std::make_shared<const NeighbourLayer>(NeighbourLayer{outer.complex, first.state});
+  const SolveReport report = solve(inner);
+  EXPECT_TRUE(report.status == SolveStatus::Converged || report.status == SolveStatus::Planar)
+      << report.stop_reason;
+  for (const auto& demand : report.constraints) EXPECT_EQ(demand.violated, 0) << demand.name;
+}
+
+TEST(LayerSolve, TheLimitOfIterationsHoldsForTheStartToo) {
+  LayerProblem layer =
+      layer_of(make_sample("alpine-hut", 100).value(), with({{"vertex"}, {"face"}, {"edge"}}), 0.1);
+  layer.settings.max_iterations = 3;
+  const SolveReport report = solve(layer);
+  EXPECT_LE(report.iterations, 4);
+  EXPECT_NE(report.status, SolveStatus::Converged);
 }
 
 TEST(LayerSolve, UnknownDemandsAreErrors) {

@@ -101,7 +101,7 @@ TEST(DemandStart, MeetsEveryRowAndCountsWhatItTold) {
   const auto problem = dome_with({{"vertex"}, {"face"}, {"edge"}});
   const Vector z = problem->from_state(initial_state(problem->complex()));
   Heard heard;
-  const DemandStart start = find_demand_start(*problem, z, &heard, {});
+  const DemandStart start = find_demand_start(*problem, z, {}, &heard, {});
   EXPECT_TRUE(start.met);
   EXPECT_LE(worst(*problem, start.z), 1e-9);
   EXPECT_EQ(start.steps, static_cast<int>(heard.iterations.size()));
