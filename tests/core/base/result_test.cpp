@@ -18,6 +18,8 @@ TEST(Error, TextLeavesOutWhatIsEmpty) {
 }
 
 TEST(Error, TextDoublesNoFullStop) {
+  EXPECT_EQ((Error{ErrorCode::Refused, "no faces", "", "Is this the file?"}.text()),
+            "no faces. Is this the file?");
   EXPECT_EQ((Error{ErrorCode::Refused, "no faces.", "", "Open another mesh."}.text()),
             "no faces. Open another mesh.");
 }
