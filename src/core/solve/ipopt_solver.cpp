@@ -44,8 +44,9 @@ struct Kept {
 constexpr double kNearlyFeasible = 1e-4;
 // Share of the tolerance at which steps end, so that the projection afterwards has room.
 constexpr double kStopShare = 0.8;
-// Share of the tolerance below which the barrier of inequalities has to be.
-constexpr double kBarrierShare = 0.01;
+// Share of the tolerance below which the barrier of inequalities has to be: the energy is then within some
+// 1e-4 of its own. Much less leaves no room between active rows and where the projection aims.
+constexpr double kBarrierShare = 0.15;
 // Share of the tolerance below which further exact steps would only shuffle the last digits.
 constexpr double kFarBelow = 1e-5;
 // Root mean square move of the first step, edges, beyond which another start is tried; real designs stay

@@ -7,7 +7,10 @@
 #include <map>
 
 #include "core/design/design.h"
+#include "core/design/presets.h"
 #include "core/diagnose/crossings.h"
+#include "core/diagnose/panel_shape.h"
+#include "core/diagnose/planarity.h"
 #include "core/mesh/mesh_io.h"
 #include "support/complexes.h"
 #include "support/shared_meshes.h"
@@ -207,18 +210,48 @@ TEST(LayerSolve, UnknownDemandsAreErrors) {
   EXPECT_NE(wrong.error().text().find("vertex"), std::string::npos) << "lists the known ones";
 }
 
-// The real meshes on which an interior point method alone does not converge. The train station and other
-// offsets, which take longer: planewright-bench --no-penetration.
+// The real meshes on which an interior point method alone does not converge. Other offsets, which take
+// longer: planewright-bench --no-penetration.
 TEST(LayerSolve, IrregularRealMeshesMeetAllConstraints) {
   PLANEWRIGHT_SHARED_MESHES_OR_SKIP(folder);
-  LayerProblem layer = layer_of(load_mesh(folder / "tri/bunny1k.obj").value().mesh,
-                                with({{"vertex"}, {"face"}, {"edge"}}), 0.1);
-  layer.settings.no_penetration = true;
-  const SolveReport report = solve(layer);
-  EXPECT_EQ(report.status, SolveStatus::Converged) << report.stop_reason;
-  EXPECT_EQ(report.crossings, 0);
-  EXPECT_LE(report.incidence_residual, 1e-12);
-  for (const auto& demand : report.constraints) EXPECT_EQ(demand.violated, 0) << demand.name;
+  for (const auto& [file, offset] :
+       {std::pair{"tri/bunny1k.obj", 0.1}, std::pair{"tri/train-station.off", 0.3}}) {
+    SCOPED_TRACE(file);
+    LayerProblem layer =
+        layer_of(load_mesh(folder / file).value().mesh, with({{"vertex"}, {"face"}, {"edge"}}), offset);
+    layer.settings.no_penetration = true;
+    const SolveReport report = solve(layer);
+    EXPECT_EQ(report.status, SolveStatus::Converged) << report.stop_reason;
+    EXPECT_EQ(report.crossings, 0);
+    EXPECT_LE(report.incidence_residual, 1e-12);
+    for (const auto& demand : report.constraints) EXPECT_EQ(demand.violated, 0) << demand.name;
+  }
+}
+
+// The bar that other planarizers set (root mean square and largest move, mean edges), without one panel that
+// crosses itself. The larger meshes: planewright-bench --uncrossed.
+TEST(LayerSolve, RealQuadsBecomePlanarWithoutCrossingThemselves) {
+  PLANEWRIGHT_SHARED_MESHES_OR_SKIP(folder);
+  struct Bar {
+    const char* file;
+    double rms, largest;
+  };
+  for (const Bar& bar :
+       {Bar{"quad/botijo_miq_quad.obj", 0.163, 0.66}, Bar{"quad/bunny_quad.obj", 0.168, 0.68},
+        Bar{"quad/inspired_mesh_quads_Conjugate.off", 0.090, 0.45}}) {
+    SCOPED_TRACE(bar.file);
+    LayerSettings settings;
+    settings.mode = ComplexKind::Planarize;
+    ASSERT_TRUE(apply(*find_preset("uncrossed").value(), settings));
+    const LayerProblem layer = layer_of(load_mesh(folder / bar.file).value().mesh, settings);
+    const SolveReport report = solve(layer);
+    EXPECT_EQ(report.status, SolveStatus::Converged) << report.stop_reason;
+    EXPECT_TRUE(find_self_crossing(report.state.x, layer.complex->panels).empty());
+    const Displacement moved = measure_displacement(report.state.x, layer.complex->preferred);
+    EXPECT_LE(moved.rms, bar.rms * layer.complex->mean_edge);
+    EXPECT_LE(moved.max, bar.largest * layer.complex->mean_edge);
+    EXPECT_LE(measure_planarity(report.state.x, layer.complex->panels).max_relative_to_bbox, 1e-12);
+  }
 }
 
 }  // namespace
