@@ -199,7 +199,7 @@ void AppState::redo() {
 void AppState::document_changed() {
   if (!mesh_view_ || mesh_view_->mesh != document_.mesh()) refresh_mesh_view();
   match_runs();
-  load_reference();
+  take_reference();
   refresh_stale();
   show_settings_of_views();
   background_wanted_ = auto_solve_;
@@ -215,6 +215,10 @@ void AppState::refresh_mesh_view() {
 
 void AppState::solve(Start start) {
   if (document_.empty()) return;
+  if (reference_missing()) {
+    hold_without_reference();
+    return;
+  }
   start_afresh_ = start_afresh_ || start == Start::Afresh;
   solve_wanted_ = true;
   background_wanted_ = true;
@@ -294,7 +298,8 @@ bool AppState::update(Clock::time_point now) {
       post(exported->error());
     }
   }
-  changed |= load_reference();
+  changed |= take_reference();
+  if (reference_missing()) solve_wanted_ = false;
   changed |= drain();
   if (may_start(now)) {
     start_solve(active_layer(), now);

@@ -250,7 +250,9 @@ class AppState {
   int next_waiting() const;  // the layer to be solved next in the background, -1: none
   void show_settings_of_views();
   void submit(LayerRun& of);
-  bool load_reference();
+  bool take_reference();
+  bool reference_missing() const;  // the one that the design names could not be used: nothing is solved
+  void hold_without_reference();
   bool reference_ready() const;
 
   void begin_load(std::string name, std::function<Result<Loaded>()> load);
@@ -285,7 +287,9 @@ class AppState {
   bool outcome_due_ = false;        // of that ticket
   bool background_wanted_ = false;  // layers that are stale are solved in turn
   std::shared_ptr<const ReferenceSurface> reference_;
-  std::string reference_path_;  // that reference_ was read from, or could not be
+  std::string reference_path_;             // that reference_ was read from, or could not be
+  std::optional<Error> reference_error_;   // why not
+  std::uint64_t reference_complaint_ = 0;  // message about it, 0: none
   BackgroundTask<LoadedReference> reference_loader_;
 
   Selection selection_;

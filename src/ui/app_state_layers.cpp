@@ -2,22 +2,15 @@
 #include <algorithm>
 #include <iterator>
 
+#include "core/design/reference_file.h"
 #include "core/edit/design_edits.h"
 #include "core/mesh/closest_point.h"
-#include "core/mesh/mesh_io.h"
 #include "ui/app_state.h"
 
 namespace planewright::ui {
 namespace {
 
 constexpr const char* kCoplanarDemand = "coplanar-beams";
-
-Result<std::shared_ptr<const ReferenceSurface>> read_reference(const std::string& path) {
-  return load_mesh(path).and_then([&](const CheckedMesh& read) {
-    return ReferenceSurface::create(read.mesh.positions(), read.mesh.faces(),
-                                    std::filesystem::path(path).filename().string());
-  });
-}
 
 }  // namespace
 
@@ -97,12 +90,12 @@ void AppState::refresh_stale() {
   if (document_.empty()) return;
   for (int i = 0; i < layer_count(); ++i) {
     LayerRun& of = runs_[static_cast<std::size_t>(i)];
-    of.stale = !of.started || *of.started != inputs_of(i);
+    of.stale = reference_missing() || !of.started || *of.started != inputs_of(i);
   }
 }
 
 int AppState::next_waiting() const {
-  if (!background_wanted_ || document_.empty() || !reference_ready()) return -1;
+  if (!background_wanted_ || document_.empty() || !reference_ready() || reference_missing()) return -1;
   for (int i = 0; i < layer_count(); ++i) {
     if (run(i).stale) return i;
   }
@@ -143,15 +136,31 @@ bool AppState::reference_ready() const {
   return !reference_loader_.running() && document_.design().reference == reference_path_;
 }
 
-bool AppState::load_reference() {
+bool AppState::reference_missing() const {
+  return reference_error_ && document_.design().reference == reference_path_;
+}
+
+// Going on against the mesh itself would show panels of another design than the one that is asked for.
+void AppState::hold_without_reference() {
+  solve_wanted_ = false;
+  if (reference_complaint_ != 0) dismiss(reference_complaint_);
+  post(Message::Kind::Error,
+       "nothing is solved until the reference is changed or removed: " + reference_error_->what,
+       reference_error_->where, reference_error_->remedy);
+  reference_complaint_ = messages_posted();
+}
+
+bool AppState::take_reference() {
   bool changed = false;
   if (auto loaded = reference_loader_.take()) {
     reference_path_ = std::move(loaded->first);
     reference_.reset();
+    reference_error_.reset();
     if (loaded->second) {
       reference_ = std::move(*loaded->second);
     } else {
-      post(loaded->second.error());
+      reference_error_ = loaded->second.error();
+      if (reference_missing()) hold_without_reference();
     }
     changed = true;
   }
@@ -160,11 +169,17 @@ bool AppState::load_reference() {
     if (wanted.empty()) {
       reference_path_.clear();
       reference_.reset();
+      reference_error_.reset();
       changed = true;
-    } else {
-      reference_loader_.start([wanted] { return LoadedReference{wanted, read_reference(wanted)}; }, wake_);
+    } else if (!document_.empty()) {
+      reference_loader_.start(
+          [wanted, mesh = document_.mesh()] {
+            return LoadedReference{wanted, load_reference(wanted, *mesh)};
+          },
+          wake_);
     }
   }
+  if (reference_complaint_ != 0 && !reference_missing()) dismiss(std::exchange(reference_complaint_, 0));
   if (changed) {
     refresh_stale();
     if (auto_solve_ && !document_.empty() && active_run().stale) solve_wanted_ = true;

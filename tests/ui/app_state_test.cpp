@@ -567,5 +567,56 @@ TEST(AppState, APinnedPanelStaysInItsPlane) {
   EXPECT_TRUE(state.document().settings().demands.plane_pins.empty());
 }
 
+// --- The reference ---------------------------------------------------------------------------
+
+// Panels that are fitted to the mesh would be taken for ones fitted to the reference that is asked for.
+TEST(AppState, WithoutItsReferenceNothingIsSolved) {
+  AppState state;
+  state.open_sample("dome", 60);
+  ASSERT_TRUE(settle(state));
+  const auto solved = state.ticket();
+  const Points points = state.document().mesh()->positions();
+  const Polygons faces = state.document().mesh()->faces();
+  Points far = points, raised = points;
+  far.col(0).array() += 1e5;
+  raised.col(2).array() += 0.1;
+  const std::string far_file = temporary("far.obj").string(), good_file = temporary("raised.obj").string();
+  ASSERT_TRUE(save_mesh(far_file, far, faces));
+  ASSERT_TRUE(save_mesh(good_file, raised, faces));
+  const auto choose = [&](const std::string& path) {
+    Design design = state.document().design();
+    design.reference = path;
+    state.change_design(std::move(design), "Reference");
+    ASSERT_TRUE(settle(state));
+  };
+  for (const std::string& bad : {far_file, temporary("none.obj").string()}) {
+    choose(bad);
+    EXPECT_EQ(state.ticket(), solved);
+    ASSERT_EQ(state.messages().size(), 1u);
+    EXPECT_NE(state.messages()[0].what.find("othing is solved until"), std::string::npos);
+    EXPECT_EQ(state.layer_status(0), LayerStatus::Waiting);
+    EXPECT_FALSE(state.up_to_date());
+    // Neither a change nor a press of the button gets round it.
+    state.change_settings(with_fairing(state, bad == far_file ? 1.0 : 2.0), "Weight of fairing");
+    state.solve();
+    ASSERT_TRUE(settle(state));
+    EXPECT_EQ(state.ticket(), solved);
+    EXPECT_EQ(state.messages().size(), 1u);
+  }
+  choose(good_file);
+  EXPECT_GT(state.ticket(), solved);
+  EXPECT_TRUE(state.messages().empty());
+  EXPECT_EQ(state.layer_status(0), LayerStatus::Done);
+  const auto with_reference = state.ticket();
+  choose(far_file);
+  EXPECT_EQ(state.ticket(), with_reference);
+  choose("");  // removed: the mesh itself is meant
+  EXPECT_GT(state.ticket(), with_reference);
+  EXPECT_TRUE(state.messages().empty());
+  EXPECT_EQ(state.layer_status(0), LayerStatus::Done);
+  std::filesystem::remove(far_file);
+  std::filesystem::remove(good_file);
+}
+
 }  // namespace
 }  // namespace planewright::ui
