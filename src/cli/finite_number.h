@@ -1,4 +1,5 @@
-// A check for options that take a number: CLI11's own ones are comparisons, which let "nan" pass.
+// Checks for options that take a number: CLI11's own ones are comparisons, which let "nan" pass, and name the
+// largest double in their messages.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -16,6 +17,26 @@ inline CLI::Validator finite_number() {
         return CLI::detail::lexical_cast(text, value) && !std::isfinite(value)
                    ? "'" + text + "' is not a finite number"
                    : std::string();
+      },
+      std::string());
+}
+
+// Refuse -1, and 0 too. Not for what is no finite number.
+inline CLI::Validator not_negative() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double value = 0.0;
+        return CLI::detail::lexical_cast(text, value) && value < 0.0 ? "'" + text + "' is negative"
+                                                                     : std::string();
+      },
+      std::string());
+}
+inline CLI::Validator positive_number() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double value = 0.0;
+        return CLI::detail::lexical_cast(text, value) && value <= 0.0 ? "'" + text + "' is not positive"
+                                                                      : std::string();
       },
       std::string());
 }

@@ -93,6 +93,15 @@ void join_layers(LayerJob& job, int index, size_t count) {
   }
 }
 
+// A problem speaks of its settings; the user knows the options that they come from.
+Error as_given(Error error, const LayerJob& job) {
+  for (const auto& [setting, option] :
+       {std::pair{"demands", "--constraint"}, {"margin", "--margin"}, {"weights", "--weights"}})
+    if (error.where == setting)
+      error.where = option + (job.named ? " of layer '" + job.layer.name + "'" : "");
+  return error;
+}
+
 // Whether the problem can be stated; nothing is solved.
 Result<void> check_problem(const LayerPlan& plan, const LayerJob& job, const DesignFiles& files) {
   const LayerSettings& settings = job.layer.settings;
@@ -106,7 +115,7 @@ Result<void> check_problem(const LayerPlan& plan, const LayerJob& job, const Des
         NeighbourLayer{other.complex, start_state(*other.complex, other.layer.settings)});
   }
   const auto problem = build_problem(job.complex, settings, files.selections, frozen);
-  return problem ? Result<void>() : tl::unexpected(problem.error());
+  return problem ? Result<void>() : tl::unexpected(as_given(problem.error(), job));
 }
 
 }  // namespace

@@ -3,11 +3,21 @@
 #include <map>
 
 #include "cli/finite_number.h"
+#include "core/design/presets.h"
+#include "core/problem/demands/demand_catalogue.h"
 
 namespace planewright::cli {
 namespace {
 
 using Options = std::shared_ptr<SolveCommandOptions>;
+
+// "vertex, face, ..."
+template <class Entries>
+std::string names_of(const Entries& entries) {
+  std::string names;
+  for (const auto& entry : entries) names += (names.empty() ? "" : ", ") + entry.name;
+  return names;
+}
 
 void declare_files(CLI::App& command, const Options& options) {
   command.add_option("IN", options->input, "Mesh to work on (.obj .off .ply .stl)")->required();
@@ -29,22 +39,24 @@ std::vector<CLI::Option*> declare_wishes(CLI::App& command, const Options& optio
               CLI::CheckedTransformer(std::map<std::string, Freedom>{{"fixed", Freedom::Fixed},
                                                                      {"normals", Freedom::Normals},
                                                                      {"all", Freedom::NormalsAndOffsets}})),
-      command.add_option(
-          "--preset", options->preset,
-          "Weights and constraints for a purpose: smooth-shell, uncrossed, hhh, ... (an unknown "
-          "name lists them)"),
+      command.add_option("--preset", options->preset,
+                         "Weights and constraints for a purpose: " + names_of(presets())),
       command.add_option("--weights", options->weights,
                          "Weights of the energies, over the preset's: position=1,fairing=0.1"),
       command.add_option("--reference", options->reference,
                          "Mesh that 'closeness' refers to, instead of IN (.obj .off .ply .stl)"),
-      command.add_option("--max-iterations", options->settings.max_iterations, "Stop after this many")
+      command
+          .add_option(
+              "--max-iterations", options->settings.max_iterations,
+              "Stop a solve after this many steps; each further round of solves (renewed foot points, "
+              "conflicts set aside, crossings separated) begins to count anew")
           ->check(CLI::Range(0, 1000000)),
       command
           .add_option("--tolerance", options->settings.tolerance,
                       "First-order residual at which the solve counts as converged (weights relative to the "
                       "largest, lengths in mean edges)")
           ->check(finite_number())
-          ->check(CLI::PositiveNumber)};
+          ->check(positive_number())};
 }
 
 std::vector<CLI::Option*> declare_demands(CLI::App& command, const Options& options) {
@@ -53,7 +65,8 @@ std::vector<CLI::Option*> declare_demands(CLI::App& command, const Options& opti
           .add_option(
               "--constraint", options->constraints,
               "What has to hold: NAME[=VALUE[:VALUE...]][@SELECTION], model units, an empty value takes "
-              "its default; may be given several times (an unknown name lists them)")
+              "its default; may be given several times, and all then hold. Names: " +
+                  names_of(demand_catalogue()))
           ->expected(1)
           ->take_all(),
       command.add_flag("--no-penetration", options->no_penetration,
@@ -63,7 +76,7 @@ std::vector<CLI::Option*> declare_demands(CLI::App& command, const Options& opti
           .add_option("--margin", options->settings.demands.margin,
                       "By how much inequalities are met, mean edges (default 1e-4)")
           ->check(finite_number())
-          ->check(CLI::NonNegativeNumber),
+          ->check(not_negative()),
       command
           .add_option(
               "--side", options->settings.side,
