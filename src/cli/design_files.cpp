@@ -3,30 +3,12 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
+#include "core/design/reference_file.h"
 #include "core/design/selection_file.h"
 #include "core/export/solve_record.h"
-#include "core/mesh/mesh_io.h"
 
 namespace planewright::cli {
 namespace {
-
-Result<std::shared_ptr<const ReferenceSurface>> read_reference(const std::string& path,
-                                                               const PolygonMesh& mesh) {
-  const auto named = [&](Error error) {
-    if (error.where.find(path) == std::string::npos) error.where = path;
-    return tl::unexpected(std::move(error));
-  };
-  const auto loaded = load_mesh(path);
-  if (!loaded) return named(loaded.error());
-  auto surface = ReferenceSurface::create(loaded->mesh.positions(), loaded->mesh.faces(), path);
-  if (!surface) return named(surface.error());
-  const Points& points = mesh.positions();
-  if (points.rows() > 0)
-    if (auto meant = check_reference(**surface, points.colwise().minCoeff(), points.colwise().maxCoeff());
-        !meant)
-      return named(meant.error());
-  return surface;
-}
 
 int count_of(const TangentComplex& complex, ElementKind kind) {
   switch (kind) {
@@ -59,7 +41,7 @@ Result<DesignFiles> read_design_files(const SolveCommandOptions& options, const 
     files.pins = std::move(*pins);
   }
   if (!options.reference.empty()) {
-    auto reference = read_reference(options.reference, mesh);
+    auto reference = load_reference(options.reference, mesh);
     if (!reference) return tl::unexpected(reference.error());
     files.reference = std::move(*reference);
   }
@@ -74,7 +56,13 @@ Result<std::vector<Waiver>> read_waived(const std::vector<std::string>& reports,
     if (!content) return tl::unexpected(content.error());
     const auto read = read_waivers(*content, path, layer);
     if (!read) return tl::unexpected(read.error());
-    for (const Waiver& waiver : *read) {
+    if (read->panels != complex.plane_count() || read->points != complex.point_count())
+      return fail(ErrorCode::Unreadable,
+                  "the report is of another design: it has " + std::to_string(read->panels) + " panels and " +
+                      std::to_string(read->points) + " points, this one " +
+                      std::to_string(complex.plane_count()) + " and " + std::to_string(complex.point_count()),
+                  path, "Give a report of the same mesh, mode and border");
+    for (const Waiver& waiver : read->waivers) {
       if (waiver.element.index >= count_of(complex, waiver.element.kind))
         return fail(ErrorCode::Unreadable,
                     "the report is of another design: these panels have no " + text(waiver.element), path,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <numbers>
 #include <utility>
 
 #include "cli/explicit_solve.h"
@@ -73,29 +74,34 @@ Result<BeamsRecord> write_beams(const std::string& file, std::string with, const
   if (!beams) return tl::unexpected(beams.error());
   const Points points = beams->points.rowwise() + first.complex->origin.transpose();
   if (auto saved = save_mesh(file, points, beams->quads); !saved) return tl::unexpected(saved.error());
-  const auto largest = [](const std::vector<double>& values) {
-    return values.empty() ? 0.0 : *std::max_element(values.begin(), values.end());
-  };
-  return BeamsRecord{file, std::move(with), beams->quads.size(), largest(beams->planarity),
-                     largest(beams->twist)};
+  const BeamSummary summary = summarise(*beams);
+  const auto turned = std::count_if(beams->twist.begin(), beams->twist.end(),
+                                    [](double twist) { return twist > 0.5 * std::numbers::pi; });
+  return BeamsRecord{file,
+                     std::move(with),
+                     summary.beams,
+                     summary.max_planarity,
+                     summary.max_twist,
+                     summary.most_twisted_edge,
+                     static_cast<int>(turned)};
 }
 
 // Offset and beams of a layer that is the last of `layers`.
-Result<void> write_construction(const std::vector<LayerJob>& jobs, const std::vector<SolvedLayer>& layers,
+Result<void> write_construction(const std::vector<LayerJob>& jobs, std::vector<SolvedLayer>& layers,
                                 SolveRecord& record) {
   const LayerJob& job = jobs[layers.size() - 1];
-  const SolvedLayer& solved = layers.back();
-  SolvedLayer other = solved;
+  SolvedLayer& solved = layers.back();
   if (!job.offset_output.empty()) {
     ParallelOffset offset = parallel_offset(*job.complex, solved.state, job.layer.thickness);
     auto written = write_offset(job, offset);
     if (!written) return tl::unexpected(written.error());
     record.offset_layer = std::move(*written);
-    other.state = std::move(offset.state);
+    solved.offset = std::move(offset.state);
   }
   if (job.beams_output.empty()) return {};
   const auto to = static_cast<size_t>(std::max(job.beams_to, 0));
-  auto beams = job.beams_to < 0 ? write_beams(job.beams_output, "offset", solved, other)
+  auto beams = job.beams_to < 0 ? write_beams(job.beams_output, "offset", solved,
+                                              {solved.complex, solved.offset.value(), {}})
                                 : write_beams(job.beams_output, jobs[to].layer.name, layers[to], solved);
   if (!beams) return tl::unexpected(beams.error());
   record.beams = std::move(*beams);
@@ -135,7 +141,7 @@ Result<SolveRecord> run_layer(const std::vector<LayerJob>& jobs, const SolveComm
   record.planarity = *planarity;
   measure(*job.complex, panels, record);
 
-  earlier.push_back({job.complex, record.solve.state});
+  earlier.push_back({job.complex, record.solve.state, {}});
   if (auto written = write_construction(jobs, earlier, record); !written)
     return tl::unexpected(written.error());
   record.seconds_total = seconds_since(begun);

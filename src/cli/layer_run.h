@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ namespace planewright::cli {
 struct SolvedLayer {
   std::shared_ptr<const TangentComplex> complex;
   State state;
+  std::optional<State> offset;  // parallel, where there is a thickness
 };
 
 // jobs[earlier.size()] is the one to solve; adds what it gives to `earlier`. Fails where nothing could be

@@ -1,4 +1,5 @@
 // planewright-cli dual | planarize | panels IN -o OUT: mesh in, planar panels out.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <map>
@@ -8,6 +9,7 @@
 
 #include "cli/commands.h"
 #include "cli/design_files.h"
+#include "cli/layer_crossings.h"
 #include "cli/layer_jobs.h"
 #include "cli/layer_run.h"
 #include "cli/output_files.h"
@@ -66,12 +68,30 @@ Result<ExitStatus> solve_layers(const LayerPlan& plan, const SolveCommandOptions
       break;
     }
   }
+  count_crossings(solved, records);
+  if (!options.quiet) print_crossings(records);
+  std::fflush(stdout);
+  status = worse(status, judge_crossings(records));
   if (!options.report.empty()) {
     const std::string json = options.layers.empty() ? to_json(records.front()) : to_json(records);
     if (auto saved = write_file_atomically(options.report, json); !saved)
       return tl::unexpected(saved.error());
   }
   return status;
+}
+
+// A reference steers nothing but closeness.
+void note_idle_reference(const LayerPlan& plan, const SolveCommandOptions& options) {
+  const bool used = std::any_of(plan.jobs.begin(), plan.jobs.end(), [](const LayerJob& job) {
+    const auto& weights = job.layer.settings.weights;
+    const auto closeness = weights.find("closeness");
+    return closeness != weights.end() && closeness->second > 0.0;
+  });
+  if (!options.reference.empty() && !used)
+    std::fprintf(
+        stderr,
+        "planewright-cli: note: --reference changes nothing, because 'closeness' has no weight; give "
+        "one with --weights closeness=1 or --preset close\n");
 }
 
 Result<ExitStatus> run(const SolveCommandOptions& options) {
@@ -91,6 +111,7 @@ Result<ExitStatus> run(const SolveCommandOptions& options) {
   const ComplexKind mode = options.mode_by_mesh ? suggested_mode(checked->mesh) : options.settings.mode;
   if (auto prepared = prepare_layers(*plan, options, mode, *files, checked->mesh); !prepared)
     return tl::unexpected(prepared.error());
+  note_idle_reference(*plan, options);
   const double seconds_build = std::chrono::duration<double>(Clock::now() - begun).count();
   return solve_layers(*plan, options, *files, checked->health, seconds_build);
 }

@@ -10,24 +10,30 @@ namespace {
 constexpr double kPlanarRelativeToBox = 1e-9;
 constexpr size_t kConflictsShown = 10;
 
-// Constraints that every problem has; planarity stands for them.
-bool is_demand(const SolveReport::Constraint& constraint) {
-  return constraint.name != "incidence" && constraint.name != "unit normal";
+std::string given_up(int count, const char* what) {
+  return count == 0 ? std::string() : ", " + std::to_string(count) + what;
 }
 
-void print_demands(const SolveReport& solve) {
+void print_demands(const SolveRecord& record) {
+  const SolveReport& solve = record.solve;
+  for (const std::string& name : demands_without_rows(record))
+    std::printf("constraint %s: asks nothing\n", name.c_str());
   for (const auto& constraint : solve.constraints) {
-    if (!is_demand(constraint)) continue;
+    // Planarity stands for the equations that every problem has.
+    if (!is_demand(constraint) || constraint.rows == 0) continue;
     if (constraint.violated == 0)
-      std::printf("constraint %s: met (%d rows)\n", constraint.name.c_str(), constraint.rows);
+      std::printf("constraint %s: met (%d rows%s)\n", constraint.name.c_str(), constraint.rows,
+                  given_up(constraint.waived, " given up").c_str());
     else
-      std::printf("constraint %s: %d of %d rows not met, the worst by %.2e%s at %s\n",
+      std::printf("constraint %s: %d of %d rows not met, the worst by %.2e%s at %s%s\n",
                   constraint.name.c_str(), constraint.violated, constraint.rows, constraint.max_violation,
                   constraint.unit.empty() ? "" : (" " + constraint.unit).c_str(),
-                  text(constraint.worst).c_str());
+                  text(constraint.worst).c_str(), given_up(constraint.waived, " given up").c_str());
   }
   if (solve.rounds > 1) std::printf("rounds: %d\n", solve.rounds);
-  if (solve.crossings >= 0) std::printf("panels that cross the mesh: %d pairs\n", solve.crossings);
+  if (solve.crossings >= 0)
+    std::printf("panels that cross the mesh: %d pairs%s\n", solve.crossings,
+                given_up(solve.crossings_waived, " at places given up").c_str());
 }
 
 void print_diagnosis(const SolveRecord& record, const std::string& unit) {
@@ -71,6 +77,23 @@ std::string beginning(const SolveRecord& record) {
   return "planewright-cli: warning: " + (record.layer.empty() ? "" : "layer " + record.layer + ": ");
 }
 
+// What spoils no status but is hardly meant.
+void warn_of_oddities(const SolveRecord& record) {
+  for (const std::string& name : demands_without_rows(record))
+    std::fprintf(
+        stderr,
+        "%sasks nothing: the constraint '%s' finds no element that it speaks of, or has no value that "
+        "limits one\n",
+        beginning(record).c_str(), name.c_str());
+  if (record.beams && record.beams->turned_round > 0)
+    std::fprintf(
+        stderr,
+        "%sbeams whose two edges run against each other (they are turned round, twisted by more than "
+        "90 degrees): %d, the most twisted is that of panel edge %d, by %.3g degrees\n",
+        beginning(record).c_str(), record.beams->turned_round, record.beams->most_twisted_edge,
+        record.beams->max_twist * 180.0 / std::numbers::pi);
+}
+
 void warn_of_conflicts(const SolveRecord& record) {
   const auto& conflicts = record.solve.conflicts;
   if (conflicts.empty()) return;
@@ -97,7 +120,7 @@ void print_summary(const SolveRecord& record, const std::string& output, const s
               record.displacement.max / record.mean_edge);
   for (const auto& energy : solve.energies)
     std::printf("energy %s (weight %g): %.6g\n", energy.name.c_str(), energy.weight, energy.value);
-  print_demands(solve);
+  print_demands(record);
   print_diagnosis(record, unit);
   print_construction(record, unit);
 }
@@ -106,6 +129,7 @@ ExitStatus judge(const SolveRecord& record) {
   const SolveReport& solve = record.solve;
   const std::string begin = beginning(record);
   warn_of_conflicts(record);
+  warn_of_oddities(record);
   if (const ExitStatus status = exit_status(solve.status); status != kSuccess) {
     std::fprintf(stderr, "%s%s: %s\n", begin.c_str(), name(solve.status), solve.stop_reason.c_str());
     return status;
@@ -121,11 +145,17 @@ ExitStatus judge(const SolveRecord& record) {
                    constraint.name.c_str(), constraint.violated, text(constraint.worst).c_str());
       return kNotMet;
     }
-  if (record.settings.no_penetration && solve.crossings != 0) {
-    std::fprintf(stderr,
-                 solve.crossings > 0 ? "%s%d pairs of a panel and a face of the mesh still cross\n"
-                                     : "%swhether panels cross the mesh was not found out\n",
-                 begin.c_str(), solve.crossings);
+  if (const auto crossing = forbidden_self_crossings(record); !crossing.empty()) {
+    std::fprintf(stderr, "%s%zu panels cross themselves all the same, the first is panel %d\n", begin.c_str(),
+                 crossing.size(), crossing.front());
+    return kNotMet;
+  }
+  if (record.settings.no_penetration && solve.crossings != solve.crossings_waived) {
+    if (solve.crossings < 0)
+      std::fprintf(stderr, "%swhether panels cross the mesh was not found out\n", begin.c_str());
+    else
+      std::fprintf(stderr, "%s%d pairs of a panel and a face of the mesh still cross\n", begin.c_str(),
+                   solve.crossings - solve.crossings_waived);
     return kNotMet;
   }
   return kSuccess;

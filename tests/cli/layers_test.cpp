@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "cli/command_line.h"
+#include "core/diagnose/crossings.h"
 #include "core/diagnose/planarity.h"
 #include "core/mesh/mesh_io.h"
 
@@ -105,6 +106,21 @@ TEST_F(Layers, BeamsBetweenLayersAreFlatWhenDemanded) {
   }
 }
 
+// A layer far beyond the centre of the dome is the other way round.
+TEST_F(Layers, BeamsThatAreTurnedRoundAreTold) {
+  const std::string input = sample("dome", 40);
+  const Ended sound = solve(input, {"--layers", "a=0.2,b=-0.2", "--beams", path("b.obj")});
+  EXPECT_EQ(sound.status, 0) << sound.err;
+  EXPECT_EQ(sound.err.find("turned round"), std::string::npos) << sound.err;
+  EXPECT_EQ(json("r.json")["layers"][1]["beams"]["turned_round"], 0);
+  const Ended turned = solve(input, {"--layers", "a=0.2,b=-60", "--beams", path("b.obj")});
+  const Json beams = json("r.json")["layers"][1]["beams"];
+  EXPECT_GT(beams["turned_round"].get<int>(), 0);
+  EXPECT_NE(turned.err.find("turned round"), std::string::npos) << turned.err;
+  EXPECT_NE(turned.err.find("panel edge " + beams["most_twisted_edge"].dump() + ","), std::string::npos)
+      << turned.err;
+}
+
 TEST_F(Layers, AThicknessGivesParallelPanelsAndFlatBeams) {
   const std::string input = sample("dome", 60);
   const Json thick = report(input, {"--thickness", "0.2", "--beams", path("b.obj")});
@@ -179,12 +195,75 @@ TEST_F(Layers, RefuseListsThatAreNone) {
   refuse_file(R"({"layers": [{"name": "a", "coplanar_with": "b"}, {"name": "b"}]})", {"'b'", "earlier"});
 }
 
+// Layers are solved one after the other, and none knows of the others.
+TEST_F(Layers, LayersThatCrossAreTold) {
+  const std::string input = sample("alpine-hut", 80);
+  const auto crossings = [&](const std::string& first, const std::string& second) {
+    const PolygonMesh a = mesh(first), b = mesh(second);
+    const Polygons of_a = a.faces(), of_b = b.faces();
+    const double touch = 1e-4 * json("r.json")["layers"][0]["mean_edge"].get<double>();
+    return find_crossings({a.positions(), of_a}, {b.positions(), of_b}, touch).size();
+  };
+  const Ended close = solve(input, {"--layers", "a=0.2,b=0.21", "--no-penetration"});
+  EXPECT_EQ(close.status, 1) << close.err;
+  EXPECT_NE(close.err.find("layer b crosses layer a: "), std::string::npos) << close.err;
+  const Json both = json("r.json")["layers"];
+  EXPECT_GT(both[0]["crosses"]["b"].get<int>(), 0);
+  EXPECT_EQ(both[0]["crosses"]["b"], both[1]["crosses"]["a"]);
+  EXPECT_EQ(both[0]["crosses"].size(), 1u);
+  EXPECT_EQ(both[1]["crosses"]["a"].get<size_t>(), crossings("p-a.obj", "p-b.obj"));
+
+  const Ended apart = solve(input, {"--layers", "a=0.2,b=2", "--no-penetration"});
+  EXPECT_EQ(apart.status, 0) << apart.err;
+  EXPECT_EQ(json("r.json")["layers"][0]["crosses"], (Json{{"b", 0}}));
+
+  // Nobody asked, so it is no failure.
+  const Ended told = run({"dual", input, "-o", path("p.obj"), "--layers", "a=0.2,b=0.21"});
+  EXPECT_EQ(told.status, 0) << told.err;
+  EXPECT_NE(told.out.find("layer b crosses layer a: "), std::string::npos) << told.out;
+}
+
+TEST_F(Layers, OffsetsThatCrossAreTold) {
+  const std::string input = sample("dome", 60);
+  const Json thick = report(input, {"--offset", "0.2", "--thickness", "0.2", "--no-penetration"});
+  EXPECT_EQ(thick["parallel_offset"]["crossings"], 0);
+  EXPECT_TRUE(thick["parallel_offset"]["crosses"].empty());
+  // Panels in front of the mesh, their other side in the midst of it.
+  const Ended inwards = run({"dual", input, "-o", path("p.obj"), "--report", path("r.json"), "--offset",
+                             "0.2", "--thickness", "-0.25", "--no-penetration"});
+  EXPECT_EQ(inwards.status, 1) << inwards.err;
+  EXPECT_NE(inwards.err.find("the offset crosses the mesh: "), std::string::npos) << inwards.err;
+  EXPECT_NE(inwards.out.find("the offset crosses the mesh: "), std::string::npos) << inwards.out;
+  const PolygonMesh offset = mesh("p-offset.obj"), roof = load_mesh(input).value().mesh;
+  const Polygons panels = offset.faces(), faces = roof.faces();
+  const Json sunk = json("r.json");
+  EXPECT_EQ(sunk["parallel_offset"]["crossings"].get<size_t>(),
+            find_crossings({offset.positions(), panels}, {roof.positions(), faces},
+                           1e-4 * sunk["mean_edge"].get<double>())
+                .size());
+
+  // The offset of one in the midst of the other, and of the other's offset: each way.
+  const std::string hut = sample("alpine-hut", 80);
+  const Ended layers = solve(hut, {"--layers", "a=0.2,b=0.5", "--thickness", "0.3", "--no-penetration"});
+  EXPECT_EQ(layers.status, 1) << layers.err;
+  EXPECT_NE(layers.err.find("the offset of layer a crosses layer b: "), std::string::npos) << layers.err;
+  const Json both = json("r.json")["layers"];
+  EXPECT_GT(both[0]["parallel_offset"]["crosses"]["b"].get<int>(), 0);
+  const PolygonMesh a = mesh("p-a-offset.obj"), b = mesh("p-b.obj"), b_offset = mesh("p-b-offset.obj");
+  const Polygons of_a = a.faces(), of_b = b.faces();
+  const double touch = 1e-4 * both[0]["mean_edge"].get<double>();
+  EXPECT_EQ(both[0]["parallel_offset"]["crosses"]["b"].get<size_t>(),
+            find_crossings({a.positions(), of_a}, {b.positions(), of_b}, touch).size() +
+                find_crossings({a.positions(), of_a}, {b_offset.positions(), of_b}, touch).size());
+  report(hut, {"--layers", "a=0.2,b=3", "--thickness", "0.3", "--no-penetration"});
+}
+
 // A layer may go without what the others keep; what was asked for by name stays.
 TEST_F(Layers, NoPenetrationCanBeSwitchedOffForOne) {
   const std::string input = sample("dome", 40);
   folder_.write(
       "layers.json",
-      R"({"layers": [{"name": "a", "offset": 0.2}, {"name": "b", "offset": 0.5, "no_penetration": false}]})");
+      R"({"layers": [{"name": "a", "offset": 0.2}, {"name": "b", "offset": 2, "no_penetration": false}]})");
   const Json both = report(input, {"--layers", path("layers.json"), "--no-penetration"});
   EXPECT_EQ(both["layers"][0]["no_penetration"], true);
   EXPECT_EQ(both["layers"][0]["demands"].size(), 3u);

@@ -167,8 +167,13 @@ TEST_F(Steering, TheMarginLiftsThePanels) {
   EXPECT_LT(lifts(input).minCoeff(), 0.1 * edge);
   EXPECT_EQ(report("dual", input, {"--constraint", "face", "--margin", "0.2"})["margin"], 0.2);
   EXPECT_GE(lifts(input).minCoeff(), 0.2 * edge - 1e-9);
-  for (const char* margin : {"-1", "nan", "x"})
-    EXPECT_EQ(solve("dual", input, {"--margin", margin}).status, 2);
+  for (const char* margin : {"-1", "nan", "x"}) {
+    const Ended wrong = solve("dual", input, {"--margin", margin});
+    EXPECT_EQ(wrong.status, 2);
+    EXPECT_EQ(wrong.err.find("e+308"), std::string::npos) << wrong.err;
+  }
+  EXPECT_NE(solve("dual", input, {"--margin", "-1"}).err.find("'-1' is negative"), std::string::npos);
+  EXPECT_NE(solve("dual", input, {"--tolerance", "0"}).err.find("'0' is not positive"), std::string::npos);
 }
 
 TEST_F(Steering, TheSideSaysWhatInFrontMeans) {
@@ -192,7 +197,7 @@ TEST_F(Steering, RefusesConstraintsThatAreNone) {
   refuse(input, {"--constraint", "offset-band=1:far"}, 2, {"'far'", "high"});
   refuse(input, {"--constraint", "offset-band=nan"}, 2, {"'nan'", "low"});
   refuse(input, {"--constraint", "face@"}, 2, {"face@"});
-  refuse(input, {"--constraint", "face@roof"}, 2, {"roof", "face"});  // there is no such selection
+  refuse(input, {"--constraint", "face@roof"}, 2, {"--constraint", "roof", "face"});  // no such selection
   refuse(input, {"--constraint", "coplanar-beams"}, 2, {"coplanar-beams"});
 }
 
@@ -270,6 +275,20 @@ TEST_F(Steering, ConstraintsOfOneNameAllHold) {
   EXPECT_EQ(over["demands"], Json::parse(R"([{"name": "uncrossed", "values": [0.002, 0.05]}])"));
 }
 
+// A selection of faces holds no panels of a dual.
+TEST_F(Steering, AConstraintThatHoldsNothingIsTold) {
+  folder_.write("s.txt", "roof: faces 0-3\n");
+  const std::string input = sample("dome", 40);
+  const Ended ended = run({"dual", input, "-o", path("p.obj"), "--report", path("r.json"), "--select",
+                           path("s.txt"), "--constraint", "offset-band=0:1@roof", "--constraint", "star"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_NE(ended.err.find("asks nothing"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("'offset-band'"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.out.find("constraint offset-band: asks nothing"), std::string::npos) << ended.out;
+  EXPECT_EQ(ended.out.find("met (0 rows"), std::string::npos) << ended.out;
+  EXPECT_EQ(json("r.json")["demands_without_rows"], Json({"offset-band"}));
+}
+
 TEST_F(Steering, APinOutsideItsBandIsRefused) {
   const std::string input = sample("dome", 40);
   folder_.write("pins.txt", "face 0 100 100 100\n");
@@ -299,6 +318,9 @@ TEST_F(Steering, TheReferenceIsAnotherFile) {
   with.insert(with.end(), {"--reference", path("raised.ply")});
   EXPECT_EQ(report("dual", input, with)["reference"], path("raised.ply"));
   EXPECT_LT(distance(), 0.5 * before);
+  const std::string idle = "--reference changes nothing";
+  EXPECT_EQ(solve("dual", input, with).err.find(idle), std::string::npos);
+  EXPECT_NE(solve("dual", input, {"--reference", path("raised.ply")}).err.find(idle), std::string::npos);
 }
 
 TEST_F(Steering, RefusesReferencesThatCannotBeMeant) {
@@ -344,12 +366,13 @@ TEST_F(Steering, DemandsThatCannotBeMetTogetherAreNamedAndCanBeWaived) {
 TEST_F(Steering, AWaiverGivesUpWhereItSays) {
   const std::string input = sample("dome", 60);
   const int top = top_vertex(input);
-  const auto waiving = [&](int panel) {
-    folder_.write(
-        "w.json",
-        R"({"tool": "planewright", "waived": [], "conflicts": [{"demand": "offset-band", "element": )"
-        R"({"kind": "panel", "index": )" +
-            std::to_string(panel) + "}}]}");
+  const Json plain = report("dual", input, {});
+  const auto waiving = [&](int panel, int more_points = 0) {
+    folder_.write("w.json",
+                  R"({"tool": "planewright", "waived": [], "panels": )" + plain["panels"].dump() +
+                      R"(, "points": )" + std::to_string(plain["points"].get<int>() + more_points) +
+                      R"(, "conflicts": [{"demand": "offset-band", "element": {"kind": "panel", "index": )" +
+                      std::to_string(panel) + "}}]}");
   };
   folder_.write("s.txt", "top: vertices " + std::to_string(top) + "\n");
   Options with{"--select", path("s.txt"), "--constraint", "offset-band=0.4:0.6@top",
@@ -358,12 +381,16 @@ TEST_F(Steering, AWaiverGivesUpWhereItSays) {
   report("dual", input, with);
   EXPECT_GE(lifts(input)[top], 0.4);
   waiving(top);  // panels of a closed dual are numbered like the vertices
-  EXPECT_EQ(report("dual", input, with)["waived"].size(), 1u);
+  const Json given_up = report("dual", input, with);
+  EXPECT_EQ(given_up["waived"].size(), 1u);
+  EXPECT_EQ(given_up["constraints"]["offset-band"]["waived"], 1);
   EXPECT_LT(lifts(input)[top], 0.3);
 
   std::filesystem::remove(path("p.obj"));
   waiving(100000);
   refuse(input, with, 3, {"w.json", "another design", "panel 100000"});
+  waiving(top, 1);
+  refuse(input, with, 3, {"w.json", "another design", "points"});
   folder_.write("w.json", "{}");
   refuse(input, with, 3, {"w.json", "no report"});
   refuse(input, {"--waive", path("none.json")}, 3, {"none.json"});
@@ -416,6 +443,9 @@ TEST_F(Steering, TheManualNamesEverything) {
     ++options;
   }
   EXPECT_GT(options, 15);
+  for (const DemandInfo& info : demand_catalogue())
+    EXPECT_NE(help.find(info.name), std::string::npos) << info.name;
+  for (const Preset& preset : presets()) EXPECT_NE(help.find(preset.name), std::string::npos) << preset.name;
 }
 
 TEST_F(Steering, TheSummaryTellsEachConstraint) {

@@ -9,6 +9,7 @@
 
 #include "core/base/version.h"
 #include "core/problem/constraint.h"
+#include "core/problem/demands/demand_catalogue.h"
 
 namespace planewright {
 namespace {
@@ -79,6 +80,7 @@ Json constraints_json(const SolveReport& solve) {
         {"max_violation", constraint.max_violation},
         {"violated", constraint.violated},
         {"rows", constraint.rows},
+        {"waived", constraint.waived},
         {"unit", constraint.unit},
         {"worst", constraint.max_violation > 0.0 ? Json(text(constraint.worst)) : Json()}};
   return constraints;
@@ -101,6 +103,12 @@ Json planarity_json(const Planarity& planarity) {
           {"max_relative_to_bbox", planarity.max_relative_to_bbox}};
 }
 
+Json crosses_json(const LayerCrossings& crosses) {
+  Json json = Json::object();
+  for (const auto& [layer, pairs] : crosses) json[layer] = pairs;
+  return json;
+}
+
 Json offset_json(const OffsetRecord& offset) {
   Json blunted = Json::array(), residuals = Json::array();
   for (const auto& corner : offset.blunted)
@@ -111,7 +119,9 @@ Json offset_json(const OffsetRecord& offset) {
           {"thickness", offset.thickness},
           {"planarity", planarity_json(offset.planarity)},
           {"blunted", blunted},
-          {"residuals", residuals}};
+          {"residuals", residuals},
+          {"crossings", offset.crossings},
+          {"crosses", crosses_json(offset.crosses)}};
 }
 
 // What was asked of one layer.
@@ -158,7 +168,10 @@ void add_outcome(Json& json, const SolveRecord& record) {
   json["energies"] = energies;
   json["constraints"] = constraints_json(solve);
   json["conflicts"] = waivers_json(solve.conflicts);
+  json["demands_without_rows"] = demands_without_rows(record);
   json["crossings"] = solve.crossings < 0 ? Json() : Json(solve.crossings);
+  json["crossings_waived"] = solve.crossings < 0 ? Json() : Json(solve.crossings_waived);
+  if (!record.layer.empty()) json["crosses"] = crosses_json(record.crosses);
   json["diagnosis"] = diagnosis_json(record);
   if (record.offset_layer) json["parallel_offset"] = offset_json(*record.offset_layer);
   if (record.beams)
@@ -166,7 +179,29 @@ void add_outcome(Json& json, const SolveRecord& record) {
                      {"with", record.beams->with},
                      {"count", record.beams->count},
                      {"max_planarity", record.beams->max_planarity},
-                     {"max_twist", record.beams->max_twist}};
+                     {"max_twist", record.beams->max_twist},
+                     {"most_twisted_edge",
+                      record.beams->most_twisted_edge < 0 ? Json() : Json(record.beams->most_twisted_edge)},
+                     {"turned_round", record.beams->turned_round}};
+}
+
+// The order of the exit statuses; among those of one status, how little there is to use.
+int badness(SolveStatus status) {
+  switch (status) {
+    case SolveStatus::Converged:
+      return 0;
+    case SolveStatus::Planar:
+      return 1;
+    case SolveStatus::Stopped:
+      return 2;
+    case SolveStatus::NotPlanar:
+      return 3;
+    case SolveStatus::Failed:
+      return 4;
+    case SolveStatus::Infeasible:
+      return 5;
+  }
+  return 5;
 }
 
 Json heading(const SolveRecord& record) {
@@ -199,7 +234,49 @@ std::optional<Waiver> read_waiver(const Json& entry) {
   return Waiver{entry["demand"].get<std::string>(), {*kind, static_cast<int>(index)}};
 }
 
+// Besides the demands of the catalogue those that a solve makes rows of by itself.
+bool is_demand_name(const std::string& name) {
+  return name == "pin" || name == "plane pin" || name == "no-penetration" || find_demand(name).has_value();
+}
+
+// -1: the report has no such count.
+int count_in(const Json& record, const char* key) {
+  if (!record.contains(key) || !record[key].is_number_integer()) return -1;
+  const auto count = record[key].get<long long>();
+  return count < 0 || count > std::numeric_limits<int>::max() ? -1 : static_cast<int>(count);
+}
+
 }  // namespace
+
+bool is_demand(const SolveReport::Constraint& constraint) {
+  return constraint.name != "incidence" && constraint.name != "unit normal";
+}
+
+std::vector<std::string> demands_without_rows(const SolveRecord& record) {
+  std::vector<std::string> names;
+  if (record.solve.constraints.empty()) return names;  // it got nowhere, or nothing was optimised
+  for (const Demand& demand : record.settings.demands.list) {
+    const bool holds = std::any_of(record.solve.constraints.begin(), record.solve.constraints.end(),
+                                   [&](const auto& c) { return c.name == demand.name && c.rows > 0; });
+    if (demand.on && !holds && std::find(names.begin(), names.end(), demand.name) == names.end())
+      names.push_back(demand.name);
+  }
+  return names;
+}
+
+std::vector<int> forbidden_self_crossings(const SolveRecord& record) {
+  const Demands& demands = record.settings.demands;
+  std::vector<int> panels;
+  for (const int panel : record.self_crossing) {
+    const bool forbidden = std::any_of(demands.list.begin(), demands.list.end(), [&](const Demand& demand) {
+      const Waiver here{demand.name, {ElementKind::Panel, panel}};
+      return demand.on && demand.selection.empty() && (demand.name == "uncrossed" || demand.name == "star") &&
+             std::find(demands.waived.begin(), demands.waived.end(), here) == demands.waived.end();
+    });
+    if (forbidden) panels.push_back(panel);
+  }
+  return panels;
+}
 
 double peak_memory_mb() {
   rusage usage{};
@@ -218,10 +295,10 @@ std::string to_json(const SolveRecord& record) {
 
 std::string to_json(const std::vector<SolveRecord>& layers) {
   Json json = heading(layers.front());
-  const auto missed = std::find_if(layers.begin(), layers.end(), [](const SolveRecord& record) {
-    return record.solve.status != SolveStatus::Converged;
+  const auto worst = std::max_element(layers.begin(), layers.end(), [](const auto& a, const auto& b) {
+    return badness(a.solve.status) < badness(b.solve.status);
   });
-  json["status"] = name(missed == layers.end() ? SolveStatus::Converged : missed->solve.status);
+  json["status"] = name(worst->solve.status);
   Json list = Json::array();
   for (const SolveRecord& record : layers) {
     Json entry = {{"name", record.layer}};
@@ -235,8 +312,7 @@ std::string to_json(const std::vector<SolveRecord>& layers) {
   return written(json);
 }
 
-Result<std::vector<Waiver>> read_waivers(std::string_view json, const std::string& name,
-                                         const std::string& layer) {
+Result<EarlierReport> read_waivers(std::string_view json, const std::string& name, const std::string& layer) {
   constexpr const char* kRemedy = "Give a report that an earlier solve of this design wrote with --report";
   const Json report = Json::parse(json, nullptr, false);
   if (report.is_discarded() || !report.is_object() || !report.contains("tool"))
@@ -260,7 +336,12 @@ Result<std::vector<Waiver>> read_waivers(std::string_view json, const std::strin
     if (!record)
       return fail(ErrorCode::Unreadable, "the report has no layer '" + layer + "'", name, "It has: " + known);
   }
-  std::vector<Waiver> waivers;
+  EarlierReport read;
+  read.panels = count_in(*record, "panels");
+  read.points = count_in(*record, "points");
+  if (read.panels < 0 || read.points < 0)
+    return fail(ErrorCode::Unreadable, "the report does not say how many panels and points it is about", name,
+                kRemedy);
   for (const char* list : {"waived", "conflicts"}) {
     if (!record->contains(list) || !(*record)[list].is_array())
       return fail(ErrorCode::Unreadable, std::string("the report has no list '") + list + "'", name, kRemedy);
@@ -270,10 +351,15 @@ Result<std::vector<Waiver>> read_waivers(std::string_view json, const std::strin
         return fail(ErrorCode::Unreadable,
                     std::string("an entry of '") + list + "' is no demand at an element: " + entry.dump(),
                     name, kRemedy);
-      waivers.push_back(std::move(*waiver));
+      if (!is_demand_name(waiver->demand))
+        return fail(
+            ErrorCode::Unreadable,
+            std::string("'") + list + "' names a constraint that there is not: '" + waiver->demand + "'",
+            name, kRemedy);
+      read.waivers.push_back(std::move(*waiver));
     }
   }
-  return waivers;
+  return read;
 }
 
 }  // namespace planewright

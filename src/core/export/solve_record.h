@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/result.h"
@@ -18,6 +19,9 @@
 
 namespace planewright {
 
+// Pairs of panels that cross, by the name of the other layer.
+using LayerCrossings = std::vector<std::pair<std::string, int>>;
+
 // The panels' other side, and how exactly its corners fit.
 struct OffsetRecord {
   std::string file;
@@ -25,6 +29,8 @@ struct OffsetRecord {
   Planarity planarity;  // of the panels as written and read back
   std::vector<ParallelOffset::Blunted> blunted;
   std::vector<ParallelOffset::Residual> residuals;
+  int crossings = 0;       // pairs of one of its panels and a face of the mesh that cross
+  LayerCrossings crosses;  // with the panels of each other layer, and with their offset
 };
 
 struct BeamsRecord {
@@ -33,6 +39,8 @@ struct BeamsRecord {
   int count = 0;
   double max_planarity = 0.0;  // distance of a corner from the beam's plane
   double max_twist = 0.0;      // radians
+  int most_twisted_edge = -1;  // panel edge; -1: there are none
+  int turned_round = 0;        // beams twisted by more than a right angle: their edges run against each other
 };
 
 struct SolveRecord {
@@ -52,8 +60,21 @@ struct SolveRecord {
   std::vector<ShortEdge> short_edges;
   std::optional<OffsetRecord> offset_layer;
   std::optional<BeamsRecord> beams;
+  LayerCrossings crosses;  // of the panels with those of each other layer of the run
   double seconds_build = 0.0, seconds_total = 0.0;
 };
+
+// Whether a constraint of the report is a demand, and no equation that every problem has.
+bool is_demand(const SolveReport::Constraint& constraint);
+
+// Names of the demands that were asked for and hold nothing: there is no element that they speak of (an empty
+// selection, a kind of point that the panels lack), or no value that limits one. Nothing if the solve got to
+// no state.
+std::vector<std::string> demands_without_rows(const SolveRecord& record);
+
+// Panels that cross themselves although `uncrossed` or `star` is demanded of the whole model and was not
+// given up there.
+std::vector<int> forbidden_self_crossings(const SolveRecord& record);
 
 // The JSON text, two-space indented, with the keys of docs/command-line.md. Numbers that are not finite
 // become null.
@@ -61,11 +82,15 @@ std::string to_json(const SolveRecord& record);
 // Of several layers of one design: what they share, and "layers", a list of records. At least one.
 std::string to_json(const std::vector<SolveRecord>& layers);
 
-// What a report that to_json wrote gives up: the demands of its "conflicts", and those that its own run had
-// given up ("waived"). layer: whose, empty for a report without layers. name: what errors call the file.
-// Fails with ErrorCode::Unreadable: no such report, or one without that layer.
-Result<std::vector<Waiver>> read_waivers(std::string_view json, const std::string& name,
-                                         const std::string& layer);
+struct EarlierReport {
+  std::vector<Waiver> waivers;  // its "conflicts", and what its own run had given up ("waived")
+  int panels = 0, points = 0;
+};
+
+// What a report that to_json wrote gives up, and of how many panels and points. layer: whose, empty for a
+// report without layers. name: what errors call the file. Fails with ErrorCode::Unreadable: no such report,
+// one without that layer, a demand that does not exist.
+Result<EarlierReport> read_waivers(std::string_view json, const std::string& name, const std::string& layer);
 
 // Peak resident memory of this process so far, MB; 0 where the system does not tell.
 double peak_memory_mb();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -31,11 +32,12 @@ SolveRecord full_record() {
   record.solve.seconds = 1.5;
   record.solve.first_order_residual = 3e-5;
   record.solve.energies = {{"position", 1.0, 2.5}, {"fairing", 0.5, 0.125}};
-  record.solve.constraints = {{"incidence", 1e-15, 0, "edges", 36, {ElementKind::Point, 4}},
+  record.solve.constraints = {{"incidence", 1e-15, 0, "edges", 36, {ElementKind::Point, 4}, 5},
                               {"unit normal", 0.0, 3, "", 7, {}}};
   record.solve.conflicts = {{"vertex", {ElementKind::Point, 8}}, {"edge", {ElementKind::PanelEdge, 2}}};
   record.solve.rounds = 3;
   record.solve.crossings = 2;
+  record.solve.crossings_waived = 1;
   record.preset = "smooth-shell";
   record.reference = "survey.ply";
   record.settings.side = Side::Inside;
@@ -83,10 +85,12 @@ TEST(SolveRecord, JsonSaysEverything) {
   EXPECT_EQ(json["displacement"],
             (Json{{"rms", 0.5}, {"max", 3.0}, {"rms_edges", 0.25}, {"max_edges", 1.5}}));
   EXPECT_EQ(json["energies"], (Json{{"position", 2.5}, {"fairing", 0.125}}));
-  EXPECT_EQ(
-      json["constraints"]["incidence"],
-      (Json{
-          {"max_violation", 1e-15}, {"violated", 0}, {"rows", 36}, {"unit", "edges"}, {"worst", "point 4"}}));
+  EXPECT_EQ(json["constraints"]["incidence"], (Json{{"max_violation", 1e-15},
+                                                    {"violated", 0},
+                                                    {"rows", 36},
+                                                    {"waived", 5},
+                                                    {"unit", "edges"},
+                                                    {"worst", "point 4"}}));
   EXPECT_TRUE(json["constraints"]["unit normal"]["worst"].is_null());  // nothing is violated
   EXPECT_EQ(json["constraints"]["unit normal"]["violated"], 3);
   EXPECT_EQ(json["conflicts"], Json::parse(R"([{"demand": "vertex", "element": {"kind": "point", "index": 8}},
@@ -94,6 +98,8 @@ TEST(SolveRecord, JsonSaysEverything) {
   EXPECT_EQ(json["waived"], Json::parse(R"([{"demand": "face", "element": {"kind": "panel", "index": 6}}])"));
   EXPECT_EQ(json["rounds"], 3);
   EXPECT_EQ(json["crossings"], 2);
+  EXPECT_EQ(json["crossings_waived"], 1);
+  EXPECT_EQ(json["demands_without_rows"], Json({"offset-band"}));  // "face" is off
   EXPECT_EQ(json["preset"], "smooth-shell");
   EXPECT_EQ(json["reference"], "survey.ply");
   EXPECT_EQ(json["side"], "inside");
@@ -125,13 +131,21 @@ TEST(SolveRecord, AnEmptyRecordIsStillJson) {
   EXPECT_TRUE(json["preset"].is_null());
   EXPECT_TRUE(json["reference"].is_null());
   EXPECT_TRUE(json["crossings"].is_null());  // not counted
+  EXPECT_TRUE(json["crossings_waived"].is_null());
+  EXPECT_TRUE(json["demands_without_rows"].empty());
 }
 
 TEST(SolveRecord, OffsetAndBeamsStandInTheirLayer) {
   SolveRecord record = full_record();
-  record.offset_layer = OffsetRecord{"p-offset.obj", 0.2, {}, {{4, 1.5}}, {{7, 0.25}, {9, 0.5}}};
-  record.offset_layer->planarity.max = 0.125;
-  record.beams = BeamsRecord{"b.obj", "outer", 12, 1e-9, 0.5};
+  OffsetRecord& offset = record.offset_layer.emplace();
+  offset.file = "p-offset.obj";
+  offset.thickness = 0.2;
+  offset.blunted = {{4, 1.5}};
+  offset.residuals = {{7, 0.25}, {9, 0.5}};
+  offset.crossings = 6;
+  offset.crosses = {{"inner", 8}};
+  offset.planarity.max = 0.125;
+  record.beams = BeamsRecord{"b.obj", "outer", 12, 1e-9, 0.5, 7, 2};
   const Json json = Json::parse(to_json(record));
   EXPECT_EQ(json["parallel_offset"]["file"], "p-offset.obj");
   EXPECT_EQ(json["parallel_offset"]["thickness"], 0.2);
@@ -139,10 +153,17 @@ TEST(SolveRecord, OffsetAndBeamsStandInTheirLayer) {
   EXPECT_EQ(json["parallel_offset"]["blunted"], Json::parse(R"([{"point": 4, "wanted_move": 1.5}])"));
   EXPECT_EQ(json["parallel_offset"]["residuals"],
             Json::parse(R"([{"point": 7, "residual": 0.25}, {"point": 9, "residual": 0.5}])"));
-  EXPECT_EQ(
-      json["beams"],
-      (Json{
-          {"file", "b.obj"}, {"with", "outer"}, {"count", 12}, {"max_planarity", 1e-9}, {"max_twist", 0.5}}));
+  EXPECT_EQ(json["parallel_offset"]["crossings"], 6);
+  EXPECT_EQ(json["parallel_offset"]["crosses"], (Json{{"inner", 8}}));
+  EXPECT_EQ(json["beams"], (Json{{"file", "b.obj"},
+                                 {"with", "outer"},
+                                 {"count", 12},
+                                 {"max_planarity", 1e-9},
+                                 {"max_twist", 0.5},
+                                 {"most_twisted_edge", 7},
+                                 {"turned_round", 2}}));
+  record.beams->most_twisted_edge = -1;
+  EXPECT_TRUE(Json::parse(to_json(record))["beams"]["most_twisted_edge"].is_null());
 }
 
 TEST(SolveRecord, LayersShareTheHeading) {
@@ -162,8 +183,56 @@ TEST(SolveRecord, LayersShareTheHeading) {
   EXPECT_EQ(json["layers"][1]["name"], "inner");
   EXPECT_EQ(json["layers"][1]["offset"], -0.5);
   EXPECT_EQ(json["layers"][1]["conflicts"].size(), 2u);
+  EXPECT_FALSE(json.contains("crosses"));
+  EXPECT_TRUE(json["layers"][0]["crosses"].empty());
+  outer.crosses = {{"inner", 3}};
+  EXPECT_EQ(Json::parse(to_json(std::vector<SolveRecord>{outer, inner}))["layers"][0]["crosses"],
+            (Json{{"inner", 3}}));
   inner.solve.status = SolveStatus::Converged;
   EXPECT_EQ(Json::parse(to_json(std::vector<SolveRecord>{outer, inner}))["status"], "converged");
+}
+
+TEST(SolveRecord, TheStatusOfLayersIsTheWorst) {
+  const std::vector<SolveStatus> order{SolveStatus::Converged, SolveStatus::Planar, SolveStatus::Stopped,
+                                       SolveStatus::NotPlanar, SolveStatus::Failed, SolveStatus::Infeasible};
+  for (size_t a = 0; a < order.size(); ++a)
+    for (size_t b = 0; b < order.size(); ++b) {
+      SolveRecord first = full_record(), second = full_record();
+      first.solve.status = order[a];
+      second.solve.status = order[b];
+      EXPECT_EQ(Json::parse(to_json(std::vector<SolveRecord>{first, second}))["status"],
+                name(order[std::max(a, b)]));
+    }
+}
+
+TEST(SolveRecord, DemandsThatHoldNothingAreNamed) {
+  SolveRecord record = full_record();
+  record.settings.demands.list = {{"face", true, {}, {}},
+                                  {"star", true, {}, {}},
+                                  {"star", true, "roof", {}},
+                                  {"edge", false, {}, {}},
+                                  {"prism", true, {}, {}}};
+  record.solve.constraints.push_back({"face", 0.0, 0, "edges", 4, {}});
+  record.solve.constraints.push_back({"prism", 0.0, 0, "edges", 0, {}});
+  EXPECT_EQ(demands_without_rows(record), (std::vector<std::string>{"star", "prism"}));
+  record.solve.constraints.clear();  // nothing is known
+  EXPECT_TRUE(demands_without_rows(record).empty());
+}
+
+TEST(SolveRecord, SelfCrossingsAreForbiddenByDemandsOnTheWholeModel) {
+  SolveRecord record = full_record();
+  record.self_crossing = {2, 5};
+  const auto forbidden = [&](std::vector<Demand> demands) {
+    record.settings.demands.list = std::move(demands);
+    return forbidden_self_crossings(record);
+  };
+  EXPECT_TRUE(forbidden({{"face", true, {}, {}}}).empty());
+  EXPECT_TRUE(forbidden({{"star", true, "roof", {}}, {"uncrossed", false, {}, {}}}).empty());
+  EXPECT_EQ(forbidden({{"star", true, {}, {}}}), (std::vector<int>{2, 5}));
+  EXPECT_EQ(forbidden({{"uncrossed", true, {}, {}}}), (std::vector<int>{2, 5}));
+  record.settings.demands.waived = {{"star", {ElementKind::Panel, 2}}, {"star", {ElementKind::Point, 5}}};
+  EXPECT_EQ(forbidden({{"star", true, {}, {}}}), (std::vector<int>{5}));
+  EXPECT_EQ(forbidden({{"star", true, {}, {}}, {"uncrossed", true, {}, {}}}), (std::vector<int>{2, 5}));
 }
 
 TEST(ReadWaivers, ReadsWhatToJsonWrote) {
@@ -171,14 +240,17 @@ TEST(ReadWaivers, ReadsWhatToJsonWrote) {
   const std::vector<Waiver> both{{"face", {ElementKind::Panel, 6}},
                                  {"vertex", {ElementKind::Point, 8}},
                                  {"edge", {ElementKind::PanelEdge, 2}}};
-  EXPECT_EQ(read_waivers(to_json(record), "r.json", "").value(), both);
+  const EarlierReport read = read_waivers(to_json(record), "r.json", "").value();
+  EXPECT_EQ(read.waivers, both);
+  EXPECT_EQ(read.panels, 7);
+  EXPECT_EQ(read.points, 12);
   SolveRecord outer = record, inner = record;
   outer.layer = "outer";
   outer.solve.conflicts.clear();
   inner.layer = "inner";
   const std::string layered = to_json(std::vector<SolveRecord>{outer, inner});
-  EXPECT_EQ(read_waivers(layered, "r.json", "outer").value(), (std::vector<Waiver>{both[0]}));
-  EXPECT_EQ(read_waivers(layered, "r.json", "inner").value(), both);
+  EXPECT_EQ(read_waivers(layered, "r.json", "outer").value().waivers, (std::vector<Waiver>{both[0]}));
+  EXPECT_EQ(read_waivers(layered, "r.json", "inner").value().waivers, both);
 }
 
 TEST(ReadWaivers, RefusesWhatIsNoSuchReport) {
@@ -197,13 +269,26 @@ TEST(ReadWaivers, RefusesWhatIsNoSuchReport) {
   refused(flat, "outer", "not one of several layers");
   refused(layered, "", "one of several layers");
   refused(layered, "inner", "It has: outer");
-  refused(R"({"tool": "planewright"})", "", "no list");
+  refused(R"({"tool": "planewright"})", "", "how many panels");
+  refused(R"({"tool": "planewright", "panels": 1.5, "points": 3})", "", "how many panels");
+  refused(R"({"tool": "planewright", "panels": 1, "points": 3})", "", "no list");
+  refused(R"({"tool": "planewright", "panels": 7, "points": 3, "waived": [], "conflicts": [)"
+          R"({"demand": "pretty", "element": {"kind": "panel", "index": 1}}]})",
+          "", "'pretty'");
+  for (const char* known : {"pin", "plane pin", "no-penetration", "coplanar-beams"})
+    EXPECT_TRUE(
+        read_waivers(R"({"tool": "planewright", "panels": 7, "points": 3, "waived": [], "conflicts": [)"
+                     R"({"demand": ")" +
+                         std::string(known) + R"(", "element": {"kind": "panel", "index": 1}}]})",
+                     "r.json", ""))
+        << known;
   for (const char* entry : {"3", "{}", R"({"demand": "face", "element": {"kind": "roof", "index": 1}})",
                             R"({"demand": "face", "element": {"kind": "panel", "index": -1}})",
                             R"({"demand": "face", "element": {"kind": "panel", "index": 1.5}})",
                             R"({"demand": 3, "element": {"kind": "panel", "index": 1}})"})
-    refused(R"({"tool": "planewright", "waived": [], "conflicts": [)" + std::string(entry) + "]}", "",
-            "no demand at an element");
+    refused(R"({"tool": "planewright", "panels": 7, "points": 3, "waived": [], "conflicts": [)" +
+                std::string(entry) + "]}",
+            "", "no demand at an element");
 }
 
 TEST(SolveRecord, NumbersThatAreNotFiniteBecomeNull) {
