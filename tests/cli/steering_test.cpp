@@ -396,6 +396,37 @@ TEST_F(Steering, AWaiverGivesUpWhereItSays) {
   refuse(input, {"--waive", path("none.json")}, 3, {"none.json"});
 }
 
+// Where everything is given up panels cross the mesh as they like, and that is told but no failure.
+TEST_F(Steering, CrossingsAtPlacesGivenUpAreNoFailure) {
+  const std::string input = sample("saddle-roof", 60);
+  const Json plain = report("dual", input, {});
+  Json waived = Json::array();
+  const auto waive = [&](const char* demand, const char* kind, int index) {
+    waived.push_back({{"demand", demand}, {"element", {{"kind", kind}, {"index", index}}}});
+  };
+  for (int i = 0; i < plain["panels"]; ++i)
+    for (const char* demand : {"face", "no-penetration"}) waive(demand, "panel", i);
+  for (int j = 0; j < plain["points"]; ++j) waive("vertex", "point", j);
+  const Json earlier = {{"tool", "planewright"},
+                        {"panels", plain["panels"]},
+                        {"points", plain["points"]},
+                        {"waived", waived},
+                        {"conflicts", Json::array()}};
+  folder_.write("w.json", earlier.dump());
+  const Ended ended = run({"dual", input, "-o", path("p.obj"), "--report", path("r.json"), "--no-penetration",
+                           "--waive", path("w.json")});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const Json crossed = json("r.json");
+  EXPECT_GT(crossed["crossings"].get<int>(), 0);
+  EXPECT_EQ(crossed["crossings"], crossed["crossings_waived"]);
+  const std::string pairs = crossed["crossings"].dump(), rows = crossed["constraints"]["face"]["rows"].dump();
+  EXPECT_EQ(crossed["constraints"]["face"]["waived"], crossed["constraints"]["face"]["rows"]);
+  for (const std::string& words :
+       {"panels that cross the mesh: " + pairs + " pairs, " + pairs + " at places given up",
+        "constraint face: met (" + rows + " rows, " + rows + " given up)"})
+    EXPECT_NE(ended.out.find(words), std::string::npos) << words << " is not in: " << ended.out;
+}
+
 TEST_F(Steering, ExplicitGoesWithNothingThatSteers) {
   const std::string input = sample("dome", 40);
   for (const Options& options : {Options{"--preset", "close"},
