@@ -1,0 +1,167 @@
+// Viewport::Impl: what the viewport holds between frames and how it finds what is under the mouse. Internal
+// to viewport.cpp (uploading, camera, drawing) and viewport_mouse.cpp (what the mouse does). Threads: the
+// window's.
+#pragma once
+
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ui/render/picking.h"
+#include "ui/render_target.h"
+#include "ui/viewport.h"
+
+namespace planewright::ui {
+
+inline constexpr float kEdgeReach = 7;    // pixels at scale 1 within which an edge is hit
+inline constexpr float kCornerReach = 7;  // likewise a corner, but not more than this part of a panel's edge:
+inline constexpr float kCornerPart = 0.2f;
+inline constexpr float kPinReach = 9;
+// Ends of an edge belong to the panels that meet there; only the middle of it flips.
+inline constexpr float kEdgeEnds = 0.2f;
+
+// Where on a segment of the screen the nearest place to a pixel is, 0..1, and how far away.
+struct OnSegment {
+  float t, pixels;
+};
+inline OnSegment nearest_on_segment(glm::vec2 a, glm::vec2 b, glm::vec2 pixel) {
+  const glm::vec2 along = b - a;
+  const float squared = glm::dot(along, along);
+  const float t = squared > 0 ? std::clamp(glm::dot(pixel - a, along) / squared, 0.0f, 1.0f) : 0.0f;
+  return {t, glm::distance(a + t * along, pixel)};
+}
+
+struct Viewport::Impl {
+  explicit Impl(render::Renderer r) : renderer(std::move(r)) {}
+
+  render::Renderer renderer;
+  render::Camera camera;
+  RenderTarget target;
+  Rect place{};           // on the window
+  float pixel_ratio = 1;  // framebuffer pixels per window pixel
+
+  // What the renderer holds.
+  std::shared_ptr<const MeshView> mesh;
+  std::shared_ptr<const PreparedView> shown;
+  std::shared_ptr<const PreparedGhost> drawn_ghost;
+  render::PolygonLayer occluder;     // the ghost's faces, for picking
+  render::PolygonLayer panel_layer;  // the panels as shown, for picking
+  ColourMap colours = ColourMap::None;
+  std::optional<render::ColourScale> scale;
+  bool dark = false, ghost = true, markers = true;
+  // What the marks were made for.
+  struct Marked {
+    std::optional<int> point, panel, edge, hovered_edge, hovered_corner;
+    std::uint64_t selection = 0, revision = 0;
+    int layer = 0;
+    bool operator==(const Marked&) const = default;
+  };
+  Marked marked;
+  std::vector<render::Surface> surfaces;
+  bool marks_stale = true;
+  std::uint64_t fitted = 0;
+
+  bool dirty = true, coarse_picture = false, fine_picture = false, redrawn = false;
+  bool moving = false;  // the camera, by the mouse, in this frame
+  double full_ms = 0;   // what a full picture took lately
+
+  // The mouse.
+  std::optional<int> hovered, hovered_corner, hovered_pin;
+  std::optional<int> dragged_pin;
+  Vector3d pin_from = Vector3d::Zero();  // where it was taken up
+  bool left_press = false, boxing = false;
+  bool pressed = false, dragging = false, pans = false, flipped_by_click = false;
+  ImVec2 press_at{}, last_at{};
+  Vector3d pivot = Vector3d::Zero();
+  glm::vec2 hover_probe{-1, -1};
+
+  glm::vec2 to_picture(ImVec2 window) const {
+    return {(window.x - place.min.x) * pixel_ratio, (window.y - place.min.y) * pixel_ratio};
+  }
+  glm::vec2 middle() const {
+    return {0.5f * static_cast<float>(camera.width()), 0.5f * static_cast<float>(camera.height())};
+  }
+  ImVec2 to_window(glm::vec2 picture) const {
+    return {place.min.x + picture.x / pixel_ratio, place.min.y + picture.y / pixel_ratio};
+  }
+
+  const render::PolygonLayer* pick_layer() const {
+    if (shown && panel_layer.points.rows() > 0) return &panel_layer;
+    return mesh ? &occluder : nullptr;
+  }
+  Vector3d pivot_under(ImVec2 window) const {
+    const auto ray = camera.ray(to_picture(window));
+    if (const render::PolygonLayer* layer = pick_layer()) {
+      if (const auto hit = render::pick_polygon(*layer, ray)) return hit->position;
+    }
+    return camera.target();
+  }
+  std::optional<int> edge_under(ImVec2 window, float scale_factor) const {
+    if (!mesh) return std::nullopt;
+    const auto edge = render::pick_edge(mesh->points, mesh->edges, camera, to_picture(window),
+                                        kEdgeReach * scale_factor * pixel_ratio, &occluder);
+    if (!edge) return edge;
+    const float t = edge_place(*edge, window).t;
+    return t >= kEdgeEnds && t <= 1 - kEdgeEnds ? edge : std::nullopt;
+  }
+  OnSegment edge_place(int edge, ImVec2 window) const {
+    const auto [a, b] = mesh->edges[static_cast<std::size_t>(edge)];
+    return nearest_on_segment(camera.project(mesh->points.row(a).transpose()),
+                              camera.project(mesh->points.row(b).transpose()), to_picture(window));
+  }
+  std::optional<int> corner_under(ImVec2 window, float scale_factor) const {
+    if (!shown) return std::nullopt;
+    const glm::vec2 pixel = to_picture(window);
+    const auto point = render::pick_point(shown->points, camera, pixel,
+                                          kCornerReach * scale_factor * pixel_ratio, &panel_layer);
+    if (!point) return point;
+    const Vector3d at = shown->points.row(*point).transpose();
+    const auto reach =
+        kCornerPart * static_cast<float>(shown->complex().mean_edge / camera.pixel_size_at(at));
+    return glm::distance(camera.project(at), pixel) <= reach ? point : std::nullopt;
+  }
+  std::optional<int> pin_under(const AppState& state, ImVec2 window, float scale_factor) const {
+    if (!shown) return std::nullopt;
+    const auto& pins = state.document().settings().demands.pins;
+    std::optional<int> best;
+    float nearest = kPinReach * scale_factor * pixel_ratio;
+    for (std::size_t i = 0; i < pins.size(); ++i) {
+      const auto held = state.pin_place(pins[i]);
+      if (!held || camera.depth(*held) <= 0) continue;
+      const float away = glm::distance(camera.project(*held), to_picture(window));
+      if (away > nearest || !in_sight(camera, *held)) continue;
+      nearest = away;
+      best = static_cast<int>(i);
+    }
+    return best;
+  }
+
+  void show(std::shared_ptr<const PreparedView> view);
+  // Per panel and per point; what the colours do not ask for is empty.
+  std::pair<Vector, Vector> values() const {
+    if (colours == ColourMap::Planarity) return {shown->planarity.per_panel, Vector()};
+    if (colours == ColourMap::Displacement) return {Vector(), shown->displacement.per_point};
+    return {};
+  }
+
+  bool in_sight(const render::Camera& from, const Vector3d& point) const;
+  void turn_towards(const Vector3d& point);
+  void upload_marks(const AppState& state);
+  void mouse(Ui& ui, AppState& state, bool hovered_now);
+  void hover(Ui& ui, const AppState& state, ImVec2 at);
+  void explain_hovered(Ui& ui, const AppState& state) const;
+  void drag_pin(AppState& state, ImVec2 at);
+  void click(Ui& ui, AppState& state, ImVec2 at);
+  void click_loop(AppState& state, ImVec2 at, Combine how);
+  void select_box(AppState& state, ImVec2 from, ImVec2 to) const;
+  void draw_box(const Ui& ui, ImVec2 at) const;
+  void upload_surfaces(const AppState& state);
+  void picture(Ui& ui, AppState& state);
+};
+
+}  // namespace planewright::ui
