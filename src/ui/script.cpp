@@ -1,6 +1,7 @@
 #include "ui/script.h"
 
 #include <array>
+#include <charconv>
 #include <limits>
 #include <sstream>
 #include <string_view>
@@ -77,6 +78,13 @@ Result<Script> parse_script(const std::string& text, const std::string& name) {
 
 Result<Script> load_script(const std::filesystem::path& path) {
   return read_file(path).and_then([&](const std::string& text) { return parse_script(text, path.string()); });
+}
+
+std::optional<double> number_in(const std::string& word) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
 }
 
 }  // namespace planewright::ui

@@ -18,6 +18,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,5 +39,8 @@ struct Script {
 // Fails with ErrorCode::Usage, naming the line: an unknown command, too few or too many words, an open quote.
 Result<Script> parse_script(const std::string& text, const std::string& name);
 Result<Script> load_script(const std::filesystem::path& path);
+
+// The number that a word is, the whole of it; nothing if it is none.
+std::optional<double> number_in(const std::string& word);
 
 }  // namespace planewright::ui

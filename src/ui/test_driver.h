@@ -44,6 +44,8 @@ struct DriverContext {
 
 // The value that `expect` and `print` know by this name, or nothing.
 std::optional<std::string> state_value(const DriverContext& context, const std::string& key);
+// The keys that a dump of the whole state lists.
+const std::vector<std::string>& state_keys();
 
 // Keys that are held during a gesture of a script.
 struct HeldKeys {

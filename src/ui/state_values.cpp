@@ -1,0 +1,291 @@
+// What scripts ask of the program's state, by name: state_value() and state_keys() of test_driver.h.
+#include <charconv>
+#include <cmath>
+
+#include "ui/layer_edits.h"
+#include "ui/script.h"
+#include "ui/test_driver.h"
+
+namespace planewright::ui {
+namespace {
+
+std::string text_of(double value) {
+  char buffer[64];
+  const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
+  return error == std::errc() ? std::string(buffer, end) : "?";
+}
+
+// demand.NAME: on or off; demand.NAME.PARAMETER; and of the report: violation.NAME, violated.NAME, rows.NAME.
+std::optional<std::string> demand_value(const AppState& state, const std::string& key) {
+  const std::size_t dot = key.find('.');
+  if (dot == std::string::npos) return std::nullopt;
+  const std::string what = key.substr(0, dot);
+  std::string name = key.substr(dot + 1);
+  if (what == "violation" || what == "violated" || what == "rows") {
+    if (state.report() == nullptr) return "none";
+    for (const SolveReport::Constraint& c : state.report()->constraints) {
+      if (c.name != name) continue;
+      return text_of(what == "rows" ? c.rows : what == "violated" ? c.violated : c.max_violation);
+    }
+    return "none";
+  }
+  if (what != "demand") return std::nullopt;
+  const Demands& demands = state.document().settings().demands;
+  std::string parameter_name;
+  if (const std::size_t second = name.find('.'); second != std::string::npos) {
+    parameter_name = name.substr(second + 1);
+    name.erase(second);
+  }
+  const auto info = find_demand(name);
+  if (!info) return std::nullopt;
+  if (parameter_name.empty()) return is_on(demands, name) ? "1" : "0";
+  const auto entries = entries_of(demands, name);
+  const Demand entry = entries.empty() ? Demand{} : demands.list[entries.front()];
+  if (parameter_name == "where") return entry.selection;
+  for (std::size_t k = 0; k < (*info)->parameters.size(); ++k) {
+    if ((*info)->parameters[k].name != parameter_name) continue;
+    const double value = parameter(**info, entry, k);
+    return std::abs(value) >= kNoLimit ? "none" : text_of(value);
+  }
+  return std::nullopt;
+}
+
+// share.NAME, value.NAME: what an energy adds to the objective.
+std::optional<std::string> energy_value(const AppState& state, const std::string& key) {
+  const bool share = key.starts_with("share.");
+  if (!share && !key.starts_with("value.")) return std::nullopt;
+  double total = 0;
+  std::optional<double> own;
+  for (const SolveReport::Energy& energy : state.energies()) {
+    total += energy.value;
+    if (energy.name == key.substr(6)) own = energy.value;
+  }
+  if (!own) return "none";
+  return text_of(share ? *own / total : *own);
+}
+
+}  // namespace
+
+const std::vector<std::string>& state_keys() {
+  static const std::vector<std::string> keys = {"document",
+                                                "vertices",
+                                                "faces",
+                                                "edges",
+                                                "mode",
+                                                "offset",
+                                                "freedom",
+                                                "border",
+                                                "preset",
+                                                "margin",
+                                                "side",
+                                                "never_touch",
+                                                "crossings",
+                                                "conflicts",
+                                                "waived",
+                                                "revision",
+                                                "ticket",
+                                                "solving",
+                                                "settled",
+                                                "status",
+                                                "panels",
+                                                "points",
+                                                "iterates_before_end",
+                                                "steps",
+                                                "planarity",
+                                                "displacement",
+                                                "objective",
+                                                "ill_determined",
+                                                "fingerprint",
+                                                "undo",
+                                                "redo",
+                                                "can_undo",
+                                                "can_redo",
+                                                "colours",
+                                                "range",
+                                                "ghost",
+                                                "dark",
+                                                "unit",
+                                                "messages",
+                                                "messages_posted",
+                                                "last_message",
+                                                "selected_panel",
+                                                "selected_point",
+                                                "hovered_edge",
+                                                "selected",
+                                                "selected_vertices",
+                                                "selected_edges",
+                                                "selected_faces",
+                                                "stored",
+                                                "pins",
+                                                "plane_pins",
+                                                "tool",
+                                                "layers",
+                                                "active_layer",
+                                                "browser_open",
+                                                "camera",
+                                                "drain_median_ms",
+                                                "drain_max_ms",
+                                                "upload_median_ms",
+                                                "upload_max_ms",
+                                                "stream_median_ms",
+                                                "stream_max_ms"};
+  return keys;
+}
+
+std::optional<std::string> state_value(const DriverContext& c, const std::string& key) {
+  const AppState& state = c.state;
+  const Document& document = state.document();
+  const auto& shown = state.shown();
+  const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
+  const auto count = [](auto n) { return std::to_string(n); };
+  if (key == "document") return document.name();
+  if (key == "vertices") return count(document.empty() ? 0 : document.mesh()->vertex_count());
+  if (key == "faces") return count(document.empty() ? 0 : document.mesh()->face_count());
+  if (key == "edges") return count(document.empty() ? 0 : document.mesh()->edge_count());
+  if (key == "mode") return std::string(document.settings().mode == ComplexKind::Dual ? "dual" : "planarize");
+  if (key == "offset") return text_of(document.settings().offset);
+  if (key == "freedom") return count(static_cast<int>(document.settings().freedom));
+  if (key == "border") return count(static_cast<int>(document.settings().border));
+  if (key.starts_with("weight.")) {
+    const auto found = document.settings().weights.find(key.substr(7));
+    return text_of(found == document.settings().weights.end() ? 0.0 : found->second);
+  }
+  if (auto of_demand = demand_value(state, key)) return of_demand;
+  if (auto of_energy = energy_value(state, key)) return of_energy;
+  if (key == "preset") {
+    const Preset* preset = present_preset(document.settings());
+    return preset != nullptr ? preset->name : "custom";
+  }
+  if (key == "never_touch") {
+    const Switch now = never_touch(document.settings());
+    return std::string(now == Switch::On ? "on" : now == Switch::Off ? "off" : "mixed");
+  }
+  if (key == "margin") return text_of(document.settings().demands.margin);
+  if (key == "side") return count(static_cast<int>(document.settings().side));
+  if (key == "waived") return count(document.settings().demands.waived.size());
+  if (key == "conflicts") return count(state.report() != nullptr ? state.report()->conflicts.size() : 0);
+  if (key == "crossings") return count(state.report() != nullptr ? state.report()->crossings : -1);
+  if (key.starts_with("edge.")) {
+    const auto index = number_in(key.substr(5));
+    if (!index || document.empty() || *index < 0 || *index >= document.mesh()->edge_count())
+      return std::nullopt;
+    const MeshEdge edge = document.mesh()->edge(static_cast<int>(*index));
+    return count(std::min(edge.a, edge.b)) + "-" + count(std::max(edge.a, edge.b));
+  }
+  if (key.starts_with("ui:")) {
+    const UiRecord* record = c.ui.find(key.substr(3));
+    return record == nullptr ? "absent" : record->enabled ? "enabled" : "disabled";
+  }
+  if (key == "revision") return count(document.revision());
+  if (key == "ticket") return count(state.ticket());
+  if (key == "solving") return flag(state.solving());
+  if (key == "settled") return flag(state.settled());
+  if (key == "status")
+    return std::string(state.report() != nullptr ? planewright::name(state.report()->status) : "none");
+  if (key == "panels") return count(shown ? shown->complex().plane_count() : 0);
+  if (key == "points") return count(shown ? shown->complex().point_count() : 0);
+  if (key == "iterates_before_end") return count(state.iterates_before_end());
+  if (key == "steps") return count(state.history().empty() ? 0 : state.history().back().number);
+  if (key == "planarity") return text_of(shown ? shown->planarity.max : 0.0);
+  if (key == "planarity_relative") return text_of(shown ? shown->planarity.max_relative_to_bbox : 0.0);
+  if (key == "displacement") return text_of(shown ? shown->displacement.rms : 0.0);
+  if (key == "objective") return text_of(state.history().empty() ? 0.0 : state.history().back().objective);
+  if (key == "ill_determined") return count(shown ? shown->ill_determined.size() : 0);
+  if (key == "fingerprint") return count(shown ? shown->fingerprint : 0);
+  if (key == "undo") return document.undo_name();
+  if (key == "redo") return document.redo_name();
+  if (key == "can_undo") return flag(document.can_undo());
+  if (key == "can_redo") return flag(document.can_redo());
+  if (key == "colours") return std::string(name(state.view_options.colours));
+  if (key == "range") return text_of(state.colour_range());
+  if (key == "ghost") return flag(state.view_options.ghost);
+  if (key == "dark") return flag(c.window.settings.dark);
+  if (key == "unit") return c.window.settings.unit;
+  if (key == "messages") return count(state.messages().size());
+  if (key == "messages_posted") return count(state.messages_posted());
+  if (key == "last_message") {
+    if (state.messages().empty()) return std::string();
+    const Message& last = state.messages().back();
+    return last.where + ": " + last.what + ". " + last.remedy;
+  }
+  if (key == "selected_panel") return count(state.selected_panel.value_or(-1));
+  if (key == "selected_point") return count(state.selected_point.value_or(-1));
+  if (key == "selected_edge") return count(state.selected_edge.value_or(-1));
+  if (key == "selected") return count(element_count(state.selection()));
+  if (key == "selected_vertices") return count(state.selection().vertices.size());
+  if (key == "selected_edges") return count(state.selection().edges.size());
+  if (key == "selected_faces") return count(state.selection().faces.size());
+  if (key == "stored") return count(document.design().selections.size());
+  if (key.starts_with("stored.")) {
+    const auto index = number_in(key.substr(7));
+    if (!index || *index < 0 || *index >= static_cast<double>(document.design().selections.size()))
+      return std::nullopt;
+    return document.design().selections[static_cast<std::size_t>(*index)].name;
+  }
+  if (key == "pins") return count(document.settings().demands.pins.size());
+  if (key == "plane_pins") return count(document.settings().demands.plane_pins.size());
+  if (key.starts_with("pin.")) {  // pin.N.x: where it holds; pin.N.off: how far its point is from there
+    const std::size_t dot = key.find('.', 4);
+    const auto index = number_in(key.substr(4, dot == std::string::npos ? dot : dot - 4));
+    const auto& pins = document.settings().demands.pins;
+    if (!index || dot == std::string::npos || *index < 0 || *index >= static_cast<double>(pins.size()))
+      return std::nullopt;
+    const Pin& pin = pins[static_cast<std::size_t>(*index)];
+    const std::string what = key.substr(dot + 1);
+    if (what == "off") {
+      const auto place = state.pin_place(pin);
+      const auto point = state.shown_point(pin.point);
+      if (!place || !point) return std::nullopt;
+      return text_of((*place - Vector3d(shown->points.row(*point).transpose())).norm());
+    }
+    if (what != "x" && what != "y" && what != "z") return std::nullopt;
+    const auto& held = pin.at[static_cast<std::size_t>(what[0] - 'x')];
+    return held ? text_of(*held) : "free";
+  }
+  if (key == "tool") return std::string(state.tool == Tool::Box ? "box" : "look");
+  if (key == "layers") return count(state.layer_count());
+  if (key == "active_layer") return count(state.active_layer());
+  if (key.starts_with("layer.")) {  // layer.N.name, .offset, .visible, .status, .planar
+    const std::size_t dot = key.find('.', 6);
+    const auto index = number_in(key.substr(6, dot == std::string::npos ? dot : dot - 6));
+    if (!index || dot == std::string::npos || *index < 0 || *index >= state.layer_count())
+      return std::nullopt;
+    const int i = static_cast<int>(*index);
+    const Layer& layer = document.design().layers[static_cast<std::size_t>(i)];
+    const std::string what = key.substr(dot + 1);
+    if (what == "name") return layer.name;
+    if (what == "offset") return text_of(layer.settings.offset);
+    if (what == "visible") return flag(layer.visible);
+    if (what == "thickness") return text_of(layer.thickness);
+    if (what == "status") {
+      return std::string(state.report(i) != nullptr ? planewright::name(state.report(i)->status) : "none");
+    }
+    if (what == "planarity_relative")
+      return text_of(state.shown(i) ? state.shown(i)->planarity.max_relative_to_bbox : -1);
+    if (what == "beams")
+      return count(state.shown(i) && state.shown(i)->beams ? state.shown(i)->beams->count : 0);
+    if (what == "beam_planarity")
+      return text_of(state.shown(i) && state.shown(i)->beams ? state.shown(i)->beams->planarity : -1);
+    if (what == "sides")
+      return count(state.shown(i) && state.shown(i)->thickness ? state.shown(i)->thickness->sides.count : 0);
+    return std::nullopt;
+  }
+  if (key == "hovered_edge") return count(c.viewport.hovered_edge().value_or(-1));
+  if (key == "browser_open") return flag(c.window.browser.is_open());
+  if (key == "camera") {
+    const Vector3d eye = c.viewport.camera().eye();
+    char buffer[96];
+    std::snprintf(buffer, sizeof buffer, "%.4g,%.4g,%.4g", eye.x(), eye.y(), eye.z());
+    return std::string(buffer);
+  }
+  if (key == "drain_median_ms") return text_of(state.timings.drain.median());
+  if (key == "drain_max_ms") return text_of(state.timings.drain.max());
+  if (key == "upload_median_ms") return text_of(state.timings.upload.median());
+  if (key == "upload_max_ms") return text_of(state.timings.upload.max());
+  if (key == "stream_median_ms") return text_of(state.timings.stream.median());
+  if (key == "stream_cpu_max_ms") return text_of(state.timings.stream_cpu.max());
+  if (key == "stream_max_ms") return text_of(state.timings.stream.max());
+  return std::nullopt;
+}
+
+}  // namespace planewright::ui
