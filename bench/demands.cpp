@@ -10,6 +10,7 @@
 #include "core/design/presets.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
+#include "core/solve/solver_choice.h"
 #include "table.h"
 
 namespace planewright::bench {
@@ -31,7 +32,7 @@ Row solve(const std::string& name, const PolygonMesh& mesh, LayerSettings settin
   const auto complex = value_of(build_complex(mesh, settings));
   Row row;
   row.name = name;
-  row.report = value_of(solve_layer({complex, settings, {}, {}, {}}, start_state(*complex, settings),
+  row.report = value_of(solve_layer(*make_solver(SolverKind::Ipopt), {complex, settings, {}, {}, {}}, start_state(*complex, settings),
                                     solve_options(settings), nullptr, {}));
   row.cpu = cpu_seconds() - cpu;
   row.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();

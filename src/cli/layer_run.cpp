@@ -52,7 +52,8 @@ Result<SolveReport> solve(const LayerJob& job, const SolveCommandOptions& option
     problem.neighbour = std::make_shared<NeighbourLayer>(NeighbourLayer{other.complex, other.state});
   }
   Progress progress(options.quiet, settings.tolerance);
-  return solve_layer(problem, start_state(*job.complex, settings), solve_options(settings), &progress,
+  const auto solver = make_solver(options.solver);
+  return solve_layer(*solver, problem, start_state(*job.complex, settings), solve_options(settings), &progress,
                      progress.stop_token());
 }
 

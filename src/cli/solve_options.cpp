@@ -116,10 +116,19 @@ void declare_solve_options(CLI::App& command, const Options& options) {
       .add_option("--offset", options->settings.offset,
                   "Wanted distance from the input along its normals, model units")
       ->check(finite_number());
-  command.add_option("--solver", options->solver, "Which solver")->check(CLI::IsMember({"ipopt"}));
+  std::map<std::string, SolverKind> solvers;
+  for (const SolverKind kind : all_solvers()) solvers[name(kind)] = kind;
+  auto* solver =
+      command
+          .add_option(
+              "--solver", options->solver,
+              "'tangent': the fast structured solver; 'ipopt': the general one; 'auto' (the default): "
+              "tangent first, then Ipopt from there to confirm")
+          ->transform(CLI::CheckedTransformer(solvers));
   auto* explicit_points = command.add_flag(
       "--explicit", options->explicit_points,
       "No optimisation: intersect the tangent planes directly (the baseline), and say where that fails");
+  explicit_points->excludes(solver);
   for (const auto& declare : {declare_wishes, declare_demands, declare_layers})
     for (CLI::Option* option : declare(command, options)) explicit_points->excludes(option);
 }

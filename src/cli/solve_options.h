@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "core/design/layer_settings.h"
+#include "core/solve/solver_choice.h"
 
 namespace planewright::cli {
 
 struct SolveCommandOptions {
-  std::string input, output, report, unit = "m", solver = "ipopt";
+  std::string input, output, report, unit = "m";
+  SolverKind solver = SolverKind::Auto;
   LayerSettings settings;     // what one option gives whole: mode, offset, freedom, side, limits
   bool mode_by_mesh = false;  // `panels`: triangles become a dual, anything else is planarized
   bool quiet = false, explicit_points = false;

@@ -11,7 +11,6 @@
 #include "core/design/design.h"
 #include "core/diagnose/crossings.h"
 #include "core/problem/foot_points.h"
-#include "core/solve/ipopt_solver.h"
 
 namespace planewright {
 namespace {
@@ -51,9 +50,10 @@ double objective(const SolveReport& report) {
 
 class LayerSolver {
  public:
-  LayerSolver(const LayerProblem& layer, const State& start, const SolveOptions& options,
+  LayerSolver(Solver& solver, const LayerProblem& layer, const State& start, const SolveOptions& options,
               SolveObserver* observer, std::stop_token stop)
-      : layer_(layer),
+      : solver_(solver),
+        layer_(layer),
         settings_(layer.settings),
         start_(start),
         options_(options),
@@ -103,7 +103,7 @@ class LayerSolver {
       SolveOptions options = options_;
       options.near_solution = attempt > 1 && fresh_;
       fresh_ = false;
-      SolveReport report = make_ipopt_solver()->solve(**problem, at, options, &observer_, stop_);
+      SolveReport report = solver_.solve(**problem, at, options, &observer_, stop_);
       observer_.next_round();
       report.iterations = iterations_ += report.iterations;
       report.seconds = seconds_ += report.seconds;
@@ -301,6 +301,7 @@ class LayerSolver {
   static constexpr double kShareOfWorst = 0.05;
   static constexpr double kOutwards = 0.3;  // cosine
 
+  Solver& solver_;
   const LayerProblem& layer_;
   LayerSettings settings_;  // with what had to be given up
   const State& start_;
@@ -320,9 +321,9 @@ class LayerSolver {
 
 }  // namespace
 
-Result<SolveReport> solve_layer(const LayerProblem& layer, const State& start, const SolveOptions& options,
-                                SolveObserver* observer, std::stop_token stop) {
-  return LayerSolver(layer, start, options, observer, std::move(stop)).run();
+Result<SolveReport> solve_layer(Solver& solver, const LayerProblem& layer, const State& start,
+                                const SolveOptions& options, SolveObserver* observer, std::stop_token stop) {
+  return LayerSolver(solver, layer, start, options, observer, std::move(stop)).run();
 }
 
 }  // namespace planewright

@@ -2,9 +2,11 @@
 // what the layer demands is met, what is frozen has settled, and an independent test agrees.
 //
 //   - closeness: foot points are taken anew until none moves by more than kFootSettled edges;
-//   - no_penetration: panels that still cross the mesh get separating planes and a re-solve, until a geometric
+//   - no_penetration: panels that still cross the mesh get separating planes and a re-solve, until a
+//   geometric
 //     test (diagnose/crossings.h) counts none;
-//   - demands that cannot be met together: a set of them is found without which the solve succeeds; the report
+//   - demands that cannot be met together: a set of them is found without which the solve succeeds; the
+//   report
 //     is Infeasible, names the set, and keeps that state.
 //
 // Threads: as Solver; the observer is called on the solving thread, iterations of all rounds count on.
@@ -28,8 +30,9 @@ struct LayerProblem {
   std::shared_ptr<const NeighbourLayer> neighbour;    // null: none
 };
 
-// start and the report's state: model units. Fails as Problem::create does; every other outcome is a report.
-Result<SolveReport> solve_layer(const LayerProblem& layer, const State& start, const SolveOptions& options,
-                                SolveObserver* observer, std::stop_token stop);
+// solver: solves each round; what it keeps between solves serves the next one too. start and the report's
+// state: model units. Fails as Problem::create does; every other outcome is a report.
+Result<SolveReport> solve_layer(Solver& solver, const LayerProblem& layer, const State& start,
+                                const SolveOptions& options, SolveObserver* observer, std::stop_token stop);
 
 }  // namespace planewright

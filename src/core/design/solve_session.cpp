@@ -3,6 +3,7 @@
 #include <atomic>
 #include <condition_variable>
 #include <exception>
+#include <map>
 #include <mutex>
 #include <new>
 #include <stop_token>
@@ -102,7 +103,8 @@ struct SolveSession::Impl {
       SolveOptions options = solve_options(settings);
       options.abandoned = job.abandoned.get_token();
       outcome.report =
-          solve_layer({built, settings, job.request.selections, job.request.reference, job.request.neighbour},
+          solve_layer(solver(job.request.solver),
+                      {built, settings, job.request.selections, job.request.reference, job.request.neighbour},
                       start, options, &publisher, job.stop.get_token());
     } catch (const std::bad_alloc&) {
       outcome.report = fail(ErrorCode::Unavailable, "the machine has not enough memory for this design", {},
@@ -113,6 +115,13 @@ struct SolveSession::Impl {
                             "Save your work and report what you did");
     }
     return outcome;
+  }
+
+  // Kept from request to request, with what it knows of their common topology.
+  Solver& solver(SolverKind kind) {
+    std::unique_ptr<Solver>& kept = solvers[kind];
+    if (!kept) kept = make_solver(kind);
+    return *kept;
   }
 
   std::function<void()> wake;
@@ -129,6 +138,7 @@ struct SolveSession::Impl {
   std::shared_ptr<const PolygonMesh> built_from;
   LayerSettings built_with;
   std::shared_ptr<const TangentComplex> built;
+  std::map<SolverKind, std::unique_ptr<Solver>> solvers;
 
   std::jthread worker;  // last, so that it stops before what it uses goes
 };

@@ -22,6 +22,7 @@
 #include "core/problem/frozen_geometry.h"
 #include "core/solve/iteration.h"
 #include "core/solve/solve_report.h"
+#include "core/solve/solver_choice.h"
 
 namespace planewright {
 
@@ -42,6 +43,7 @@ struct SolveRequest {
   // Where to start: null for the builder's own start, else a state, transferred if its complex is another
   // one.
   std::shared_ptr<const Iterate> warm_start = {};
+  SolverKind solver = SolverKind::Tangent;
 };
 
 struct SolveOutcome {

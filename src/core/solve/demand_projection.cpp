@@ -38,7 +38,7 @@ class DemandProjector {
     bool rejected = false;
     while (!finished() && report.steps < max_steps && !stop.stop_requested()) {
       equations_.linearise(z_, false);
-      const double damping = std::clamp(2.0 * factor * phi, kLeastDamping, ceiling);
+      const double damping = std::clamp(2.0 * factor * phi * share_, kLeastDamping, ceiling);
       const Vector step = find_step(damping, phi < kCloseEnough || rejected, report.factorisations);
       double trial_phi = std::numeric_limits<double>::infinity();
       Vector trial;
@@ -65,7 +65,7 @@ class DemandProjector {
         if (damping >= ceiling)
           ceiling *= 8.0;
         else
-          factor = std::max(factor, kLeastDamping / (2.0 * phi)) * 8.0;
+          factor = std::max(factor, kLeastDamping / (2.0 * phi * share_)) * 8.0;
       }
     }
     measure(z_);
@@ -153,6 +153,8 @@ class DemandProjector {
   std::vector<double> weights_, slopes_;
   double phi_ = 0.0, violation_ = 0.0, incidence_ = 0.0;
   int stalled_ = 0;
+  // Phi is a sum: its share of a thousand rows damps alike at every size.
+  double share_ = std::min(1.0, 1000.0 / std::max(problem_.rows(), 1));
 };
 
 }  // namespace

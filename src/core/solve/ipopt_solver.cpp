@@ -150,6 +150,7 @@ class Adapter final : public Ipopt::TNLP {
                              const Ipopt::IpoptData* data,
                              Ipopt::IpoptCalculatedQuantities* quantities) override {
     Iteration iteration;
+    iteration.solver = "ipopt";
     iteration.number = iterations_before_ + number;
     iteration.objective = objective * weight_;
     iteration.infeasibility = infeasibility;

@@ -23,7 +23,7 @@ const char* name(SolveStatus status);  // "converged", "planar, not converged", 
 struct SolveReport {
   SolveStatus status = SolveStatus::Failed;
   std::string stop_reason;  // one sentence
-  std::string solver;       // "ipopt"
+  std::string solver;       // who made the state: "tangent", "ipopt", "tangent, ipopt" (begun, confirmed)
   int iterations = 0;
   double seconds = 0.0;  // wall
   // After the final projection, at the reported state:

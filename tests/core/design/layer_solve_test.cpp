@@ -1,4 +1,5 @@
 #include "core/design/layer_solve.h"
+#include "core/solve/ipopt_solver.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +44,7 @@ LayerSettings with(std::vector<Demand> demands) {
 }
 
 SolveReport solve(const LayerProblem& layer, SolveObserver* observer = nullptr) {
-  return solve_layer(layer, start_state(*layer.complex, layer.settings), solve_options(layer.settings),
+  return solve_layer(*make_ipopt_solver(), layer, start_state(*layer.complex, layer.settings), solve_options(layer.settings),
                      observer, {})
       .value();
 }
@@ -205,7 +206,7 @@ TEST(LayerSolve, TheLimitOfIterationsHoldsForTheStartToo) {
 
 TEST(LayerSolve, UnknownDemandsAreErrors) {
   LayerProblem layer = layer_of(make_sample("dome", 60).value(), with({{"no-such"}}));
-  const auto wrong = solve_layer(layer, start_state(*layer.complex, layer.settings), {}, nullptr, {});
+  const auto wrong = solve_layer(*make_ipopt_solver(), layer, start_state(*layer.complex, layer.settings), {}, nullptr, {});
   ASSERT_FALSE(wrong);
   EXPECT_NE(wrong.error().text().find("vertex"), std::string::npos) << "lists the known ones";
 }
