@@ -15,6 +15,7 @@ class Progress final : public SolveObserver {
   Progress(bool quiet, double tolerance);
   ~Progress() override;
   void on_iteration(const Iteration& iteration, const State* state) override;
+  bool wants_states() const override { return false; }
   std::stop_token stop_token() const { return stop_.get_token(); }
   void finish();  // ends the line
 

@@ -27,6 +27,7 @@ class CountingOn final : public SolveObserver {
     seconds_ = counted.seconds;
     if (next_) next_->on_iteration(counted, state);
   }
+  bool wants_states() const override { return next_ && next_->wants_states(); }
   void next_round() {
     before_ = last_ + 1;
     seconds_before_ = seconds_;

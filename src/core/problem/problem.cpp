@@ -99,9 +99,10 @@ Result<std::shared_ptr<const Problem>> Problem::create(std::shared_ptr<const Tan
     auto fixed = make_fixed_planes_constraint(normalised, problem->layout_);
     if (!fixed) return tl::unexpected(fixed.error());
     problem->add_constraint(std::move(*fixed));
+    problem->planarity_rows_ = problem->rows_;
   } else {
     problem->add_constraint(make_incidence_constraint(normalised, problem->layout_));
-    const int first = problem->rows_;
+    const int first = problem->planarity_rows_ = problem->rows_;
     problem->add_constraint(make_unit_normal_constraint(problem->layout_));
     problem->unit_normal_rows_ = {first, problem->rows_};
   }
@@ -139,7 +140,7 @@ Result<void> Problem::add_energies(const ProblemSettings& settings, const Frozen
     if (weight == settings.weights.end() || weight->second == 0.0) continue;
     auto energy = info.make(context);
     const double factor = energy->terms() > 0 ? weight->second * layout_.points / energy->terms() : 0.0;
-    energies_.push_back({std::move(energy), weight->second, factor, {}, {}});
+    energies_.push_back({std::move(energy), weight->second, factor});
   }
   return {};
 }
@@ -221,60 +222,79 @@ Result<void> Problem::add_demands(const ProblemSettings& settings, const FrozenG
 void Problem::add_constraint(std::unique_ptr<Constraint> constraint) {
   const int first = rows_;
   rows_ += constraint->rows();
-  constraints_.push_back({std::move(constraint), first, {}, {}});
+  constraints_.push_back({std::move(constraint), first});
 }
 
 void Problem::assemble() {
-  PatternBuilder hessian;
-  int added = 0;
-  for (EnergyTerm& term : energies_) {
+  const auto size_of = [this](const RowFamily& family, int row) {
+    longest_stencil_ = std::max(longest_stencil_, static_cast<int>(family.stencil(row).size()));
+    most_curvature_ = std::max(most_curvature_, static_cast<int>(family.curvature(row).size()));
+  };
+  for (const EnergyTerm& term : energies_)
     for (int row = 0; row < term.energy->rows(); ++row) {
-      const auto stencil = term.energy->stencil(row);
-      longest_stencil_ = std::max(longest_stencil_, static_cast<int>(stencil.size()));
-      most_curvature_ = std::max(most_curvature_, static_cast<int>(term.energy->curvature(row).size()));
-      term.first_slot.push_back(added);
-      for (size_t a = 0; a < stencil.size(); ++a)
-        for (size_t b = 0; b <= a; ++b, ++added) hessian.add(stencil[a], stencil[b]);
-      for (int variable : stencil) {
+      size_of(*term.energy, row);
+      for (int variable : term.energy->stencil(row)) {
         residual_pattern_.rows.push_back(residuals_);
         residual_pattern_.columns.push_back(variable);
       }
       ++residuals_;
     }
-    term.first_slot.push_back(added);
-  }
-  for (ConstraintTerm& term : constraints_) {
+  for (const ConstraintTerm& term : constraints_)
     for (int row = 0; row < term.constraint->rows(); ++row) {
-      const auto stencil = term.constraint->stencil(row);
-      longest_stencil_ = std::max(longest_stencil_, static_cast<int>(stencil.size()));
-      most_curvature_ = std::max(most_curvature_, static_cast<int>(term.constraint->curvature(row).size()));
+      size_of(*term.constraint, row);
       bounds_.push_back(term.constraint->bounds(row));
-      for (int variable : stencil) {
+      for (int variable : term.constraint->stencil(row)) {
         jacobian_.rows.push_back(term.first_row + row);
         jacobian_.columns.push_back(variable);
       }
-      term.first_slot.push_back(added);
+    }
+}
+
+const Problem::Hessian& Problem::hessian() const {
+  std::call_once(hessian_made_, [this] { hessian_ = assemble_hessian(); });
+  return hessian_;
+}
+
+Problem::Hessian Problem::assemble_hessian() const {
+  Hessian out;
+  PatternBuilder builder;
+  int added = 0;
+  for (const EnergyTerm& term : energies_) {
+    TermSlots& slots = out.energies.emplace_back();
+    for (int row = 0; row < term.energy->rows(); ++row) {
+      const auto stencil = term.energy->stencil(row);
+      slots.first.push_back(added);
+      for (size_t a = 0; a < stencil.size(); ++a)
+        for (size_t b = 0; b <= a; ++b, ++added) builder.add(stencil[a], stencil[b]);
+    }
+    slots.first.push_back(added);
+  }
+  for (const ConstraintTerm& term : constraints_) {
+    TermSlots& slots = out.constraints.emplace_back();
+    for (int row = 0; row < term.constraint->rows(); ++row) {
+      const auto stencil = term.constraint->stencil(row);
+      slots.first.push_back(added);
       for (const StencilPair& pair : term.constraint->curvature(row)) {
-        hessian.add(stencil[pair.first], stencil[pair.second]);
+        builder.add(stencil[pair.first], stencil[pair.second]);
         ++added;
       }
     }
-    term.first_slot.push_back(added);
+    slots.first.push_back(added);
   }
-
   // The whole diagonal, so that a solver can damp any unknown.
-  for (int v = 0; v < variables(); ++v) hessian.add(v, v);
+  for (int v = 0; v < variables(); ++v) builder.add(v, v);
 
   std::vector<int> slot_of;
-  hessian_ = hessian.build(slot_of);
-  diagonal_slots_.assign(slot_of.end() - variables(), slot_of.end());
-  const auto hand_out = [&slot_of](auto& term) {
-    const int first = term.first_slot.front();
-    term.hessian_slots.assign(slot_of.begin() + first, slot_of.begin() + term.first_slot.back());
-    for (int& slot : term.first_slot) slot -= first;
+  out.pattern = builder.build(slot_of);
+  out.diagonal.assign(slot_of.end() - variables(), slot_of.end());
+  const auto hand_out = [&slot_of](TermSlots& term) {
+    const int first = term.first.front();
+    term.slots.assign(slot_of.begin() + first, slot_of.begin() + term.first.back());
+    for (int& slot : term.first) slot -= first;
   };
-  for (EnergyTerm& term : energies_) hand_out(term);
-  for (ConstraintTerm& term : constraints_) hand_out(term);
+  std::for_each(out.energies.begin(), out.energies.end(), hand_out);
+  std::for_each(out.constraints.begin(), out.constraints.end(), hand_out);
+  return out;
 }
 
 void Problem::waive(const std::vector<Waiver>& waivers) {
@@ -428,9 +448,12 @@ void Problem::jacobian_values(const double* z, double* out) const {
 void Problem::hessian_values(const double* z, double factor, const double* multipliers, double* out,
                              Curvature curvature) const {
   const bool exact = curvature == Curvature::Exact;
-  std::fill(out, out + hessian_.size(), 0.0);
+  const Hessian& places = hessian();
+  std::fill(out, out + places.pattern.size(), 0.0);
   std::vector<double> local(longest_stencil_), slope(longest_stencil_), bend(most_curvature_);
-  for (const EnergyTerm& term : energies_) {
+  for (size_t t = 0; t < energies_.size(); ++t) {
+    const EnergyTerm& term = energies_[t];
+    const TermSlots& slots = places.energies[t];
     const double twice = 2.0 * factor * term.factor;
     for (int row = 0; row < term.energy->rows(); ++row) {
       const auto stencil = term.energy->stencil(row);
@@ -439,7 +462,7 @@ void Problem::hessian_values(const double* z, double factor, const double* multi
       const double r =
           term.energy->evaluate(row, local.data(), slope.data(), pairs.empty() ? nullptr : bend.data());
       // (r^2)'' = 2 (grad r grad r^T + r r''); the stencil's triangle is stored row by row.
-      const int* slot = term.hessian_slots.data() + term.first_slot[row];
+      const int* slot = slots.slots.data() + slots.first[row];
       for (size_t a = 0, k = 0; a < stencil.size(); ++a)
         for (size_t b = 0; b <= a; ++b, ++k) out[slot[k]] += twice * slope[a] * slope[b];
       for (size_t k = 0; k < pairs.size(); ++k) {
@@ -449,15 +472,18 @@ void Problem::hessian_values(const double* z, double factor, const double* multi
     }
   }
   if (!exact) return;
-  for (const ConstraintTerm& term : constraints_)
+  for (size_t t = 0; t < constraints_.size(); ++t) {
+    const ConstraintTerm& term = constraints_[t];
+    const TermSlots& slots = places.constraints[t];
     for (int row = 0; row < term.constraint->rows(); ++row) {
       const auto pairs = term.constraint->curvature(row);
       if (pairs.empty()) continue;
       gather(z, term.constraint->stencil(row), local);
       term.constraint->evaluate(row, local.data(), nullptr, bend.data());
-      const int* slot = term.hessian_slots.data() + term.first_slot[row];
+      const int* slot = slots.slots.data() + slots.first[row];
       for (size_t k = 0; k < pairs.size(); ++k) out[slot[k]] += multipliers[term.first_row + row] * bend[k];
     }
+  }
 }
 
 std::vector<Problem::EnergyShare> Problem::energy_shares(const double* z) const {

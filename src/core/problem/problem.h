@@ -7,9 +7,10 @@
 // neither the place nor the scale of a model changes anything but the units of the answer. Weight 1 means the
 // same everywhere.
 //
-// Patterns are fixed at construction; values are filled in place in the same order at every call. Hessian:
-// lower triangle of  factor * f'' + sum_r multiplier_r c_r'', one slot per entry. Fixed unknowns (Freedom)
-// keep their place. Immutable and shared: safe to read from any thread. Indices 0-based.
+// Patterns never change; values are filled in place in the same order at every call. The Hessian's is made
+// when it is first asked for: solvers of Gauss-Newton steps never do, and it is most of a problem's memory.
+// Hessian: lower triangle of  factor * f'' + sum_r multiplier_r c_r'', one slot per entry. Fixed unknowns
+// (Freedom) keep their place. Immutable and shared: safe to read from any thread. Indices 0-based.
 //
 // Besides incidence and unit normals the rows come from the designer's demands (demands/demand_catalogue.h,
 // pins, separations). A waived row keeps its place and loses its bounds.
@@ -17,6 +18,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <string>
 #include <string_view>
@@ -82,6 +84,8 @@ class Problem {
   std::string_view row_unit(int row) const;
   ElementRef row_element(int row) const;
   bool row_is_linear(int row) const;
+  // The rows that keep points on their planes: [0, n).
+  int planarity_rows() const { return planarity_rows_; }
   // The rows that keep the normals unit: [first, last); solvers that turn normals need none of them.
   std::pair<int, int> unit_normal_rows() const { return unit_normal_rows_; }
   // Whether there are rows besides incidence and unit normals.
@@ -96,13 +100,13 @@ class Problem {
 
   const SparsePattern& jacobian_pattern() const { return jacobian_; }
   void jacobian_values(const double* z, double* out) const;  // #jacobian slots
-  const SparsePattern& hessian_pattern() const { return hessian_; }
+  const SparsePattern& hessian_pattern() const { return hessian().pattern; }
   // out: #slots. multipliers: #rows, not read for Curvature::GaussNewton.
   void hessian_values(const double* z, double factor, const double* multipliers, double* out,
                       Curvature curvature = Curvature::Exact) const;
 
   // The slot of each unknown's own diagonal entry (#z); every one is in the pattern.
-  const std::vector<int>& hessian_diagonal() const { return diagonal_slots_; }
+  const std::vector<int>& hessian_diagonal() const { return hessian().diagonal; }
 
   double largest_weight() const { return largest_weight_; }  // 1 if every weight is 0
 
@@ -143,16 +147,25 @@ class Problem {
 
   struct EnergyTerm {
     std::unique_ptr<Energy> energy;
-    double weight, factor;           // factor = w X / N
-    std::vector<int> hessian_slots;  // per row: lower triangle of its stencil, row by row
-    std::vector<int> first_slot;     // #rows + 1
+    double weight, factor;  // factor = w X / N
   };
   struct ConstraintTerm {
     std::unique_ptr<Constraint> constraint;
     int first_row;
-    std::vector<int> hessian_slots;  // per row: its curvature pairs
-    std::vector<int> first_slot;
   };
+  // Where the values of each row of a term go.
+  struct TermSlots {
+    std::vector<int>
+        slots;  // per row: lower triangle of its stencil, row by row (energies), or curvature pairs
+    std::vector<int> first;  // #rows + 1
+  };
+  struct Hessian {
+    SparsePattern pattern;
+    std::vector<int> diagonal;
+    std::vector<TermSlots> energies, constraints;
+  };
+  const Hessian& hessian() const;
+  Hessian assemble_hessian() const;
 
   State normalised_state(const State& state) const;
   double contribution(const EnergyTerm& term, const double* z) const;  // factor * sum of squares
@@ -166,12 +179,13 @@ class Problem {
   std::vector<ConstraintTerm> constraints_;
   std::vector<Bounds> bounds_;
   std::vector<char> given_up_;  // #rows
-  SparsePattern jacobian_, hessian_, residual_pattern_;
+  SparsePattern jacobian_, residual_pattern_;
+  mutable std::once_flag hessian_made_;
+  mutable Hessian hessian_;
   std::pair<int, int> unit_normal_rows_{0, 0};
   bool has_demands_ = false, has_alternatives_ = false;
   int residuals_ = 0;
-  std::vector<int> diagonal_slots_;
-  int rows_ = 0;
+  int rows_ = 0, planarity_rows_ = 0;
   double largest_weight_ = 1.0;
   int longest_stencil_ = 0, most_curvature_ = 0;
 };

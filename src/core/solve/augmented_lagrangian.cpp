@@ -1,102 +1,73 @@
 #include "core/solve/augmented_lagrangian.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
+#include <limits>
 
 #include "core/solve/hold.h"
+#include "core/solve/row_penalties.h"
 #include "core/solve/tangent_equations.h"
 
 namespace planewright {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr int kInner = 4;                // steps between two updates of the multipliers
 constexpr double kFirstPenalty = 100.0;  // rho
 constexpr double kPenaltyGrowth = 3.0;
 constexpr double kEnoughGain = 4.0;  // rows have to get better by this factor, else rho grows
 constexpr double kFirstDamping = 1e-2, kMostDamping = 1e6, kLeastDamping = 1e-10;
-constexpr double kPointShare = 0.1;    // of the planes' damping that points get
-constexpr double kTowardsHere = 1e-6;  // keeps points in place that no energy pulls
+constexpr double kPointShare = 0.1;           // of the planes' damping that points get
+constexpr double kTowardsHere = 1e-6;         // keeps points in place that no energy pulls
+constexpr double kIterativeTolerance = 1e-2;  // of steps where the coupling of points was dropped
 
 class AugmentedLagrangian {
  public:
   AugmentedLagrangian(const Problem& problem, Vector& z, const AugmentedLagrangianOptions& options,
-                      SolveObserver* observer, std::stop_token stop)
+                      std::stop_token stop)
       : problem_(problem),
-        equations_(problem),
+        equations_(problem, options.coupling, options.cache),
+        rows_(problem),
         z_(z),
         options_(options),
-        observer_(observer),
         stop_(std::move(stop)),
         hold_(problem, z),
         share_(1.0 / problem.largest_weight()),
-        begun_(Clock::now()) {
-    const auto rows = static_cast<size_t>(problem.rows());
-    skip_.assign(rows, 0);
-    const auto [first, last] = problem.unit_normal_rows();
-    std::fill(skip_.begin() + first, skip_.begin() + last, 1);
-    weights_.assign(rows, 0.0);
-    slopes_.assign(rows, 0.0);
-    multipliers_ = Vector::Zero(problem.rows());
-    for (int i = 0; i < problem.layout().planes; ++i) {
-      auto n = z_.segment<3>(problem.layout().n(i));
-      if (problem.layout().freedom != Freedom::Fixed) n.normalize();
-    }
+        values_(problem.rows()) {
+    rows_.equations = rows_.inequalities = kFirstPenalty;
+    if (problem.layout().freedom != Freedom::Fixed)
+      for (int i = 0; i < problem.layout().planes; ++i) z_.segment<3>(problem.layout().n(i)).normalize();
+    equations_.set_iterative_tolerance(kIterativeTolerance);
   }
 
   AugmentedLagrangianReport run() {
-    waived_ = problem_.waived_at(z_.data());
+    rows_.choose_alternatives(z_);
     double worst_before = std::numeric_limits<double>::infinity();
-    while (report_.steps < options_.max_steps && !stop_.stop_requested() && !report_.converged) {
+    while (report_.steps < options_.max_steps && !stop_.stop_requested() && !report_.converged &&
+           !report_.out_of_memory) {
       const int accepted = inner();
       if (accepted == 0 && damping_ >= kMostDamping) break;
       const double worst = update_multipliers();
       if (worst > worst_before / kEnoughGain)
-        penalty_ = std::min(penalty_ * kPenaltyGrowth, options_.most_penalty);
+        rows_.equations = rows_.inequalities =
+            std::min(rows_.equations * kPenaltyGrowth, options_.most_penalty);
       worst_before = worst;
-      waived_ = problem_.waived_at(z_.data());
+      rows_.choose_alternatives(z_);
     }
-    report_.multipliers = multipliers_ / share_;
+    report_.multipliers = rows_.multipliers / share_;
     return std::move(report_);
   }
 
  private:
-  // The value of a row that is nearest to t within its bounds.
-  double within(int row, double t) const {
-    const Bounds bounds = problem_.bounds(row);
-    return std::clamp(t, bounds.low, bounds.high);
-  }
-  bool counts(int row) const {
-    return !skip_[static_cast<size_t>(row)] && !waived_[static_cast<size_t>(row)];
-  }
-
-  double lagrangian(const Vector& z) const {
-    double sum = share_ * problem_.objective(z.data()) + hold_.value(z.data());
-    Vector values(problem_.rows());
-    problem_.constraint_values(z.data(), values.data());
-    for (int row = 0; row < problem_.rows(); ++row) {
-      if (!counts(row)) continue;
-      const double t = values[row] + multipliers_[row] / penalty_, miss = t - within(row, t);
-      sum += 0.5 * penalty_ * miss * miss;
-    }
+  double lagrangian(const Vector& z) {
+    problem_.constraint_values(z.data(), values_.data());
+    const double sum = share_ * problem_.objective(z.data()) + hold_.value(z.data()) +
+                       rows_.value(values_, rows_.multipliers, rows_.equations);
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
   }
 
   void assemble() {
     equations_.linearise(z_, true);
-    const Vector& values = equations_.constraints();
-    for (int row = 0; row < problem_.rows(); ++row) {
-      const auto r = static_cast<size_t>(row);
-      weights_[r] = slopes_[r] = 0.0;
-      if (!counts(row)) continue;
-      const double t = values[row] + multipliers_[row] / penalty_, miss = t - within(row, t);
-      const Bounds bounds = problem_.bounds(row);
-      if (miss == 0.0 && bounds.low != bounds.high) continue;
-      weights_[r] = penalty_;
-      slopes_[r] = penalty_ * miss;
-    }
+    rows_.linearise(equations_.constraints(), weights_, slopes_);
     equations_.assemble(share_, weights_, slopes_);
     add_hold();
   }
@@ -120,6 +91,10 @@ class AugmentedLagrangian {
         const double on_points = kPointShare * damping_ + kTowardsHere;
         const Vector step = equations_.step(on_points + (hold_.active() ? hold_.curvature() : 0.0), damping_);
         ++report_.steps;
+        if (step.size() == 0 && equations_.out_of_memory()) {
+          report_.out_of_memory = true;
+          return accepted;
+        }
         double ratio = -1.0;
         Vector trial;
         if (step.size() > 0) {
@@ -139,7 +114,9 @@ class AugmentedLagrangian {
           damping_ *= ratio > 0.75 ? 0.2 : ratio > 0.25 ? 0.6 : 2.0;
           damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
           ++accepted;
-          tell(step.lpNorm<Eigen::Infinity>());
+          if (options_.tell)
+            options_.tell(z_, equations_.gradient().lpNorm<Eigen::Infinity>(),
+                          step.lpNorm<Eigen::Infinity>());
           done = true;
         } else {
           damping_ *= raise;
@@ -158,61 +135,31 @@ class AugmentedLagrangian {
   double update_multipliers() {
     equations_.linearise(z_, true);
     const Vector& values = equations_.constraints();
-    double worst = 0.0;
-    report_.infeasibility = 0.0;
-    std::fill(weights_.begin(), weights_.end(), 0.0);
-    std::fill(slopes_.begin(), slopes_.end(), 0.0);
-    for (int row = 0; row < problem_.rows(); ++row) {
-      if (!counts(row)) {
-        multipliers_[row] = 0.0;
-        continue;
-      }
-      const double t = values[row] + multipliers_[row] / penalty_, miss = t - within(row, t);
-      const double change = penalty_ * miss - multipliers_[row];
-      multipliers_[row] = penalty_ * miss;
-      slopes_[static_cast<size_t>(row)] = multipliers_[row];
-      worst = std::max(worst, std::abs(change) / penalty_);
-      report_.infeasibility =
-          std::max(report_.infeasibility, std::abs(values[row] - within(row, values[row])));
-    }
-    equations_.assemble(share_, weights_, slopes_);
-    add_hold();
-    report_.first_order = equations_.gradient().lpNorm<Eigen::Infinity>();
+    rows_.slopes(values, rows_.multipliers, rows_.equations, slopes_);
+    const Eigen::Map<const Vector> updated(slopes_.data(), problem_.rows());
+    const double worst =
+        problem_.rows() > 0 ? (updated - rows_.multipliers).lpNorm<Eigen::Infinity>() / rows_.equations : 0.0;
+    rows_.multipliers = updated;
+    report_.infeasibility = rows_.violation(values);
+    Vector slope = equations_.gradient_of(share_, nullptr, slopes_);
+    if (hold_.active()) slope.head(3 * problem_.layout().points) += hold_.gradient(z_.data());
+    report_.first_order = slope.lpNorm<Eigen::Infinity>();
     report_.converged =
         report_.infeasibility <= options_.feasible && report_.first_order <= options_.first_order;
     return worst;
   }
 
-  void tell(double step) {
-    if (!observer_) return;
-    Iteration iteration;
-    iteration.number = options_.first_iteration + told_++;
-    iteration.energies = problem_.energy_shares(z_.data());
-    for (const auto& share : iteration.energies) iteration.objective += share.value;
-    for (const auto& v : problem_.violations(z_.data(), kDetails))
-      iteration.infeasibility = std::max(iteration.infeasibility, v.max_violation);
-    iteration.first_order = equations_.gradient().lpNorm<Eigen::Infinity>();
-    iteration.step = step;
-    iteration.seconds = std::chrono::duration<double>(Clock::now() - begun_).count();
-    const State state = problem_.to_state({z_.data(), static_cast<size_t>(z_.size())});
-    observer_->on_iteration(iteration, &state);
-  }
-  static constexpr double kDetails = 1e-9;
-
   const Problem& problem_;
   TangentEquations equations_;
+  RowPenalties rows_;
   Vector& z_;
   const AugmentedLagrangianOptions& options_;
-  SolveObserver* observer_;
   std::stop_token stop_;
   Hold hold_;
   double share_;  // energies relative to the largest weight
-  Clock::time_point begun_;
-  std::vector<char> skip_, waived_;
+  Vector values_;
   std::vector<double> weights_, slopes_;
-  Vector multipliers_;
-  double penalty_ = kFirstPenalty, damping_ = kFirstDamping;
-  int told_ = 0;
+  double damping_ = kFirstDamping;
   AugmentedLagrangianReport report_;
 };
 
@@ -220,8 +167,8 @@ class AugmentedLagrangian {
 
 AugmentedLagrangianReport minimise_augmented_lagrangian(const Problem& problem, Vector& z,
                                                         const AugmentedLagrangianOptions& options,
-                                                        SolveObserver* observer, std::stop_token stop) {
-  return AugmentedLagrangian(problem, z, options, observer, std::move(stop)).run();
+                                                        std::stop_token stop) {
+  return AugmentedLagrangian(problem, z, options, std::move(stop)).run();
 }
 
 }  // namespace planewright

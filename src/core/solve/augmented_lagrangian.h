@@ -12,10 +12,11 @@
 // to follow. Threads: uses MUMPS through its gate. Deterministic. Units: normalised.
 #pragma once
 
+#include <functional>
 #include <stop_token>
 
 #include "core/problem/problem.h"
-#include "core/solve/iteration.h"
+#include "core/solve/tangent_equations.h"
 
 namespace planewright {
 
@@ -25,7 +26,12 @@ struct AugmentedLagrangianOptions {
   // to the largest one).
   double feasible = 1e-7, first_order = 3e-4;
   double most_penalty = 3e3;
-  int first_iteration = 0;  // number of the first Iteration told to the observer
+  // Called after each accepted step with the state, the slope of L before it and the step's length; may be
+  // empty.
+  std::function<void(const Vector& z, double first_order, double step)> tell = {};
+  // How energies that couple points are treated: Dropped is cheaper, for steps that need not be exact.
+  EnergyCoupling coupling = EnergyCoupling::Exact;
+  TangentCache* cache = nullptr;
 };
 
 struct AugmentedLagrangianReport {
@@ -33,12 +39,13 @@ struct AugmentedLagrangianReport {
   double infeasibility = 0.0;  // largest violation of a row
   double first_order = 0.0;    // largest component of the slope of L in the tangent space
   bool converged = false;
+  bool out_of_memory = false;
   Vector multipliers;  // #rows, as in f + y . c, weights as the problem has them
 };
 
-// z: normalised, changed in place; the steps never raise L. observer may be null.
+// z: normalised, changed in place; the steps never raise L.
 AugmentedLagrangianReport minimise_augmented_lagrangian(const Problem& problem, Vector& z,
                                                         const AugmentedLagrangianOptions& options,
-                                                        SolveObserver* observer, std::stop_token stop);
+                                                        std::stop_token stop);
 
 }  // namespace planewright

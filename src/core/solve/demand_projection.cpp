@@ -16,7 +16,8 @@ constexpr double kCeiling = 1e-2, kLeastDamping = 1e-12, kMostDamping = 1e4;
 
 class DemandProjector {
  public:
-  DemandProjector(const Problem& problem, Vector& z) : problem_(problem), equations_(problem), z_(z) {
+  DemandProjector(const Problem& problem, Vector& z, TangentCache* cache)
+      : problem_(problem), equations_(problem, EnergyCoupling::Dropped, cache), z_(z) {
     const auto [first, last] = problem.unit_normal_rows();
     skip_.assign(static_cast<size_t>(problem.rows()), 0);
     std::fill(skip_.begin() + first, skip_.begin() + last, 1);
@@ -57,6 +58,7 @@ class DemandProjector {
         z_ = trial;
         phi = trial_phi;
         rejected = false;
+        chord_steps(phi, stop);
         if (at_rounding || stalled_ >= kPatience) break;
       } else {
         measure(z_);
@@ -72,6 +74,7 @@ class DemandProjector {
     report.incidence = incidence_;
     report.violation = violation_;
     report.met = violation_ <= kDemandTolerance;
+    report.planar = incidences() <= kDemandTolerance;
     const Eigen::Index points = problem_.layout().points;
     if (points > 0)
       report.move =
@@ -85,6 +88,36 @@ class DemandProjector {
   bool finished() const { return incidence_ <= kIncidenceTarget && violation_ <= kFinished; }
   // Equations of demands need not be met closer than rounding allows; inequalities aim inside.
   static constexpr double kFinished = 1e-12;
+
+  // Further steps with the factors of the last one, while each leaves less than kChordShare of Phi.
+  void chord_steps(double& phi, const std::stop_token& stop) {
+    while (!finished() && !stop.stop_requested()) {
+      for (size_t row = 0; row < weights_.size(); ++row) {
+        const double m = skip_[row] || waived_[row]
+                             ? 0.0
+                             : miss(static_cast<int>(row), values_[static_cast<Eigen::Index>(row)]);
+        if (weights_[row] == 0.0 && m != 0.0) return;  // a row that the factors know nothing of
+        slopes_[row] = weights_[row] == 0.0 ? 0.0 : m;
+      }
+      const Vector step = equations_.solve(-equations_.gradient_of(0.0, nullptr, slopes_));
+      if (step.size() == 0) return;
+      const Vector trial = equations_.moved(z_, step);
+      measure(trial);
+      if (!(phi_ < kChordShare * phi)) {
+        measure(z_);
+        return;
+      }
+      z_ = trial;
+      phi = phi_;
+    }
+  }
+  static constexpr double kChordShare = 0.1;
+
+  double incidences() const {
+    double worst = 0.0;
+    for (int row = 0; row < problem_.planarity_rows(); ++row) worst = std::max(worst, std::abs(values_[row]));
+    return worst;
+  }
 
   // Signed distance from what a row aims at; 0 inside.
   double miss(int row, double value) const {
@@ -160,8 +193,8 @@ class DemandProjector {
 }  // namespace
 
 DemandProjectionReport project_onto_demands(const Problem& problem, Vector& z, int max_steps,
-                                            std::stop_token stop) {
-  return DemandProjector(problem, z).run(max_steps, stop);
+                                            std::stop_token stop, TangentCache* cache) {
+  return DemandProjector(problem, z, cache).run(max_steps, stop);
 }
 
 }  // namespace planewright

@@ -1,6 +1,8 @@
 #include "core/solve/demand_start.h"
 
 #include <algorithm>
+#include <chrono>
+#include <functional>
 
 #include "core/solve/augmented_lagrangian.h"
 #include "core/solve/demand_projection.h"
@@ -8,18 +10,32 @@
 namespace planewright {
 namespace {
 
-// Counts what the observer was told, so that later iterations go on from there.
-class Counter final : public SolveObserver {
+// Tells the observer of each step, numbered through all attempts.
+class Teller {
  public:
-  explicit Counter(SolveObserver* next) : next_(next) {}
-  void on_iteration(const Iteration& iteration, const State* state) override {
-    count = iteration.number + 1;
-    if (next_) next_->on_iteration(iteration, state);
+  Teller(const Problem& problem, SolveObserver* observer) : problem_(problem), observer_(observer) {}
+
+  void operator()(const Vector& z, double first_order, double step) {
+    Iteration iteration;
+    iteration.number = count++;
+    iteration.solver = "tangent";
+    if (!observer_) return;
+    iteration.energies = problem_.energy_shares(z.data());
+    for (const auto& share : iteration.energies) iteration.objective += share.value;
+    for (const auto& v : problem_.violations(z.data(), kDemandTolerance))
+      iteration.infeasibility = std::max(iteration.infeasibility, v.max_violation);
+    iteration.first_order = first_order;
+    iteration.step = step;
+    iteration.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();
+    const State state = problem_.to_state({z.data(), static_cast<size_t>(z.size())});
+    observer_->on_iteration(iteration, &state);
   }
   int count = 0;
 
  private:
-  SolveObserver* next_;
+  const Problem& problem_;
+  SolveObserver* observer_;
+  std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
 // Steps (factorisations) of each attempt, and how stiff its penalty may get. More steps find lower energies
@@ -47,19 +63,19 @@ DemandStart find_demand_start(const Problem& problem, const Vector& z, const Dem
   }
   int left = limits.max_steps;
   Vector stepped = z;
-  Counter counter(observer);
+  Teller teller(problem, observer);
   for (const Attempt& attempt : kAttempts) {
     AugmentedLagrangianOptions options;
     options.max_steps = std::min(attempt.steps, left);
     left -= options.max_steps;
     options.most_penalty = attempt.most_penalty;
-    options.first_iteration = counter.count;
-    minimise_augmented_lagrangian(problem, stepped, options, &counter, stop);
+    options.tell = std::ref(teller);
+    minimise_augmented_lagrangian(problem, stepped, options, stop);
     start.z = stepped;
     start.met = project_onto_demands(problem, start.z, kDemandProjectionSteps, stop).met;
     if (start.met || left <= 0 || stop.stop_requested()) break;
   }
-  start.steps = counter.count;
+  start.steps = teller.count;
   return start;
 }
 

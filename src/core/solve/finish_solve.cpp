@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "core/solve/demand_projection.h"
-#include "core/solve/projection.h"
+#include "core/solve/multipliers.h"
 
 namespace planewright {
 namespace {
@@ -25,6 +25,12 @@ std::string worst_constraint(const std::vector<Problem::ConstraintViolation>& vi
   if (!worst->unit.empty()) text << ' ' << worst->unit;
   text << " at worst, " << worst->violated << (worst->violated == 1 ? " place" : " places");
   return text.str();
+}
+
+// Of every point on every plane, mean edges; fixed planes have fewer rows than incidences.
+double largest_incidence(const Problem& problem, const State& state) {
+  const Vector residuals = incidence_residuals(problem.complex(), state);
+  return residuals.size() > 0 ? residuals.lpNorm<Eigen::Infinity>() / problem.complex().mean_edge : 0.0;
 }
 
 }  // namespace
@@ -48,26 +54,24 @@ const char* name(SolveStatus status) {
 }
 
 void finish_solve(const Problem& problem, const Vector& z, const Vector& multipliers,
-                  const SolveOptions& options, SolveReport& report) {
+                  const SolveOptions& options, SolveReport& report, TangentCache* cache) {
   const bool stopped = report.status == SolveStatus::Stopped;
   Vector projected = z;
-  if (problem.has_demands()) {
-    const DemandProjectionReport projection = project_onto_demands(
-        problem, projected, stopped ? kStepsAfterStop : kDemandProjectionSteps, options.abandoned);
-    report.state = problem.to_state({projected.data(), static_cast<size_t>(projected.size())});
-    report.projection_move = projection.move;
-  } else {
-    report.state = problem.to_state({z.data(), static_cast<size_t>(z.size())});
-    const ProjectionReport projection =
-        project_onto_incidences(problem.complex(), report.state, problem.layout().freedom, kProjectionTarget,
-                                stopped ? kStepsAfterStop : kProjectionSteps, options.abandoned);
-    report.incidence_residual = projection.after;
-    report.projection_move = projection.move;
-    projected = problem.from_state(report.state);
-  }
+  const DemandProjectionReport projection = project_onto_demands(
+      problem, projected, stopped ? kStepsAfterStop : kDemandProjectionSteps, options.abandoned, cache);
+  report.state = problem.to_state({projected.data(), static_cast<size_t>(projected.size())});
+  report.projection_move = projection.move;
+  report.incidence_residual = largest_incidence(problem, report.state);
   report.multipliers = multipliers;
-  report.first_order_residual =
-      problem.first_order_residual(projected.data(), multipliers.data()) / problem.largest_weight();
+  const auto residual = [&] {
+    return problem.first_order_residual(projected.data(), report.multipliers.data()) /
+           problem.largest_weight();
+  };
+  report.first_order_residual = residual();
+  if (!(report.first_order_residual <= options.tolerance) && !stopped) {
+    report.multipliers = estimate_multipliers(problem, projected, multipliers, cache);
+    report.first_order_residual = residual();
+  }
   for (const auto& share : problem.energy_shares(projected.data()))
     report.energies.push_back({share.name, share.weight, share.value});
   const auto violations = problem.violations(projected.data(), options.planarity_tolerance);
@@ -76,8 +80,6 @@ void finish_solve(const Problem& problem, const Vector& z, const Vector& multipl
     report.constraints.push_back({violation.name, violation.max_violation, violation.violated, violation.unit,
                                   violation.rows, violation.worst, violation.waived});
     violated += violation.violated;
-    if (problem.has_demands() && violation.name == "incidence")
-      report.incidence_residual = violation.max_violation;
   }
 
   const bool planar = report.incidence_residual <= options.planarity_tolerance;

@@ -106,9 +106,15 @@ class Adapter final : public Ipopt::TNLP {
     return true;
   }
 
-  bool get_starting_point(Index n, bool init_x, Number* x, bool, Number*, Number*, Index, bool,
-                          Number*) override {
+  bool get_starting_point(Index n, bool init_x, Number* x, bool init_bounds, Number* lower, Number* upper,
+                          Index m, bool init_rows, Number* multipliers) override {
     if (init_x) std::copy(start_.data(), start_.data() + n, x);
+    if (init_bounds) {  // no unknown has bounds of its own; fixed ones are taken out
+      std::fill(lower, lower + n, 0.0);
+      std::fill(upper, upper + n, 0.0);
+    }
+    if (init_rows)
+      for (Index r = 0; r < m; ++r) multipliers[r] = best.multipliers[r] / weight_;
     return true;
   }
 
@@ -390,7 +396,8 @@ class IpoptSolver final : public Solver {
     const auto gate = enter_mumps_gate();
     Vector z = problem.from_state(start);
     std::optional<DemandStart> demands;
-    if (problem.has_demands() && overrides_.own_termination) {
+    const bool warm = options.multipliers.size() == problem.rows() && overrides_.own_termination;
+    if (problem.has_demands() && overrides_.own_termination && !warm) {
       demands =
           find_demand_start(problem, z, {options.max_iterations, options.near_solution}, observer, stop);
       // Not met, or nobody waits: Ipopt would only spend longer on the same.
@@ -407,10 +414,12 @@ class IpoptSolver final : public Solver {
       }
       z = demands->z;
     }
-    Ipopt::SmartPtr<Adapter> adapter = new Adapter(problem, z, options, overrides_, observer, stop);
+    IpoptOverrides overrides = overrides_;
+    if (warm) overrides.gauss_newton_iterations = 0;
+    Ipopt::SmartPtr<Adapter> adapter = new Adapter(problem, z, options, overrides, observer, stop);
     adapter->best.z = z;
-    adapter->best.multipliers = Vector::Zero(problem.rows());
-    adapter->may_start_elsewhere = overrides_.own_termination && !demands;
+    adapter->best.multipliers = warm ? options.multipliers : Vector::Zero(problem.rows()).eval();
+    adapter->may_start_elsewhere = overrides_.own_termination && !demands && !warm;
     if (demands) adapter->count_from(demands->steps);
 
     Outcome outcome;
@@ -420,6 +429,7 @@ class IpoptSolver final : public Solver {
         // False: no console output.
         Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
         set_options(*application, options, options.max_iterations - adapter->iterations, demands.has_value());
+        if (warm) start_warm(*application, options);
         application->Initialize("");  // an empty name: no option file of the working directory is read
         status = application->OptimizeTNLP(Ipopt::GetRawPtr(adapter));
         if (adapter->start_elsewhere) {
@@ -450,8 +460,8 @@ class IpoptSolver final : public Solver {
       return report;
     };
     SolveReport report = finished(adapter->best.z, adapter->best.multipliers, outcome);
-    if (report.status == SolveStatus::Planar || report.status == SolveStatus::NotPlanar ||
-        report.status == SolveStatus::Infeasible) {
+    if (!warm && (report.status == SolveStatus::Planar || report.status == SolveStatus::NotPlanar ||
+                  report.status == SolveStatus::Infeasible)) {
       // Of a solve that ended early all iterates may be so far from planar that the projection spoils them;
       // what it makes of the start is the least that a solve may give.
       SolveReport from_start = finished(
@@ -481,6 +491,17 @@ class IpoptSolver final : public Solver {
     return status == Ipopt::Restoration_Failed || status == Ipopt::Search_Direction_Becomes_Too_Small ||
            status == Ipopt::Error_In_Step_Computation || status == Ipopt::Infeasible_Problem_Detected;
   }
+
+  // The start is a solution already, multipliers and all: keep it, and every slack as small as it is.
+  static void start_warm(Ipopt::IpoptApplication& application, const SolveOptions& options) {
+    auto& list = *application.Options();
+    list.SetStringValue("warm_start_init_point", "yes");
+    for (const char* push : {"warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push",
+                             "warm_start_slack_bound_frac", "warm_start_mult_bound_push"})
+      list.SetNumericValue(push, kWarmPush);
+    list.SetNumericValue("mu_init", kWarmBarrier * options.tolerance);
+  }
+  static constexpr double kWarmPush = 1e-9, kWarmBarrier = 0.1;
 
   // near_start: the start is close to a solution, bounds included.
   void set_options(Ipopt::IpoptApplication& application, const SolveOptions& options, int iterations,

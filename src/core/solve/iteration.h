@@ -30,6 +30,8 @@ class SolveObserver {
   // `state` is null where there is none to show: in Ipopt's restoration phase, whose iterates are not this
   // problem's, and at steps of the tangent solver that it does not project.
   virtual void on_iteration(const Iteration& iteration, const State* state) = 0;
+  // Whether it looks at states at all: those of the tangent solver cost a projection each.
+  virtual bool wants_states() const { return true; }
 };
 
 }  // namespace planewright

@@ -18,6 +18,9 @@ struct SolveOptions {
   // The start is the result of a solve of nearly the same problem: where it (almost) meets every row, what
   // finds such a state is left out.
   bool near_solution = false;
+  // Multipliers at the start, of another solver that has just solved this very problem
+  // (SolveReport::multipliers): Ipopt then begins with its exact Hessian and next to no barrier. Empty: none.
+  Vector multipliers = {};
   std::stop_token abandoned;  // nobody wants the result any more: end without the final projection
 };
 

@@ -1,6 +1,8 @@
 #include "core/solve/solver_choice.h"
 
+#include "core/solve/auto_solver.h"
 #include "core/solve/ipopt_solver.h"
+#include "core/solve/tangent_solver.h"
 
 namespace planewright {
 
@@ -32,8 +34,15 @@ Result<SolverKind> find_solver(const std::string& wanted) {
 }
 
 std::unique_ptr<Solver> make_solver(SolverKind kind) {
-  (void)kind;
-  return make_ipopt_solver();
+  switch (kind) {
+    case SolverKind::Ipopt:
+      return make_ipopt_solver();
+    case SolverKind::Tangent:
+      return make_tangent_solver();
+    case SolverKind::Auto:
+      return make_auto_solver();
+  }
+  return nullptr;
 }
 
 }  // namespace planewright

@@ -1,0 +1,257 @@
+#include "core/solve/tangent_solver.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <new>
+
+#include "core/solve/augmented_lagrangian.h"
+#include "core/solve/demand_projection.h"
+#include "core/solve/finish_solve.h"
+#include "core/solve/multipliers.h"
+#include "core/solve/mumps_gate.h"
+#include "core/solve/planar_frames.h"
+#include "core/solve/primal_dual_newton.h"
+#include "core/solve/tangent_equations.h"
+
+namespace planewright {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Factorisations of the augmented Lagrangian: enough to find the valley; Newton steps then go along it
+// faster.
+constexpr int kSoftSteps = 20;
+// With demands: more steps, softer and stiffer, where the projection after the first attempt meets them not.
+struct Attempt {
+  int steps;
+  double most_penalty;
+};
+constexpr Attempt kAttempts[] = {{26, 3e3}, {60, 1e4}, {120, 1e4}};
+// A projection that moves a point farther than this, edges, has left the solution that it was near to.
+constexpr double kNear = 0.5;
+// Share of the tolerance at which steps end, so that the projection afterwards has room.
+constexpr double kStopShare = 0.9;
+
+class TangentSolver final : public Solver {
+ public:
+  SolveReport solve(const Problem& problem, const State& start, const SolveOptions& options,
+                    SolveObserver* observer, std::stop_token stop) override {
+    const auto begun = Clock::now();
+    const auto gate = enter_mumps_gate();
+    SolveReport report;
+    report.solver = "tangent";
+    Run run{problem,
+            options,
+            problem.from_state(start),
+            Vector::Zero(problem.rows()),
+            PlanarFrames(problem, observer, cache_, stop),
+            stop};
+    try {
+      minimise(run, report);
+      report.iterations = run.frames.told();
+      finish_solve(problem, run.z, run.multipliers / share(problem), options, report, &cache_);
+      remember(problem, report);
+    } catch (const std::bad_alloc&) {
+      cache_.clear();
+      report.status = SolveStatus::Failed;
+      report.stop_reason = "out of memory; the state it began with is kept";
+      report.state = start;
+    }
+    report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
+    return report;
+  }
+
+ private:
+  struct Run {
+    const Problem& problem;
+    const SolveOptions& options;
+    Vector z, multipliers;  // f relative to the largest weight
+    PlanarFrames frames;
+    std::stop_token stop;
+  };
+  static double share(const Problem& problem) { return 1.0 / problem.largest_weight(); }
+
+  void minimise(Run& run, SolveReport& report) {
+    const Problem& problem = run.problem;
+    if (!std::isfinite(problem.objective(run.z.data())) || !run.z.allFinite()) {
+      report.status = SolveStatus::Failed;
+      report.stop_reason = "a function could not be evaluated at the start (not a finite number)";
+      return;
+    }
+    run.frames.tell_start(run.z);
+    if (problem.has_demands() ? begins_near(run) : run.options.near_solution) {
+      recall(problem, run.multipliers);
+      newton(run, report, true);
+      return;
+    }
+    if (!problem.has_demands() && straight(run, report)) return;
+    if (problem.has_demands()) {
+      if (!find_demands(run, report)) return;
+    } else {
+      soften(run, kSoftSteps, kAttempts[0].most_penalty);
+    }
+    newton(run, report, false);
+  }
+
+  // Whether the start (almost) meets every demand, moved there.
+  bool begins_near(Run& run) {
+    if (!run.options.near_solution) return false;
+    Vector projected = run.z;
+    const DemandProjectionReport projection =
+        project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_);
+    if (!projection.met || projection.move > kNear) return false;
+    run.z = projected;
+    return true;
+  }
+
+  // Stiff Gauss-Newton steps from the start; false, with the start kept, where its linearisation does not
+  // hold.
+  bool straight(Run& run, SolveReport& report) {
+    const Vector start = run.z;
+    NewtonOptions options = newton_options(run);
+    options.begin_gauss_newton = true;
+    options.only_straight = true;
+    const NewtonReport newton =
+        minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
+    if (newton.end == NewtonEnd::NotStraight || newton.end == NewtonEnd::NoStep) {
+      run.z = start;
+      run.multipliers.setZero();
+      return false;
+    }
+    conclude(newton, report);
+    return true;
+  }
+
+  AugmentedLagrangianReport soften(Run& run, int steps, double most_penalty) {
+    AugmentedLagrangianOptions options;
+    options.max_steps = std::min(steps, steps_left(run));
+    options.most_penalty = most_penalty;
+    options.coupling = EnergyCoupling::Dropped;
+    options.cache = &cache_;
+    options.tell = [&run](const Vector& z, double first_order, double step) {
+      run.frames.tell(z, first_order, step, PlanarFrames::Distance::Far);
+    };
+    AugmentedLagrangianReport softened = minimise_augmented_lagrangian(run.problem, run.z, options, run.stop);
+    run.multipliers = softened.multipliers * share(run.problem);
+    return softened;
+  }
+
+  // Softly held demands, until a projection meets them all. False if none does.
+  bool find_demands(Run& run, SolveReport& report) {
+    Vector projected;
+    for (const Attempt& attempt : kAttempts) {
+      const AugmentedLagrangianReport softened = soften(run, attempt.steps, attempt.most_penalty);
+      if (softened.out_of_memory) throw std::bad_alloc();
+      if (run.stop.stop_requested()) {
+        report.status = SolveStatus::Stopped;
+        report.stop_reason = "stopped by the user";
+        return false;
+      }
+      projected = run.z;
+      if (project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_).met)
+        return true;
+      if (steps_left(run) <= 0) break;
+    }
+    run.z = projected;
+    report.status = SolveStatus::Infeasible;
+    report.stop_reason = "the demands could not be met together from here";
+    return false;
+  }
+
+  int steps_left(const Run& run) const { return std::max(0, run.options.max_iterations - run.frames.told()); }
+
+  NewtonOptions newton_options(const Run& run) const {
+    NewtonOptions options;
+    options.max_steps = steps_left(run);
+    options.first_order = kStopShare * run.options.tolerance;
+    return options;
+  }
+
+  void newton(Run& run, SolveReport& report, bool begin_gauss_newton) {
+    NewtonOptions options = newton_options(run);
+    options.begin_gauss_newton = begin_gauss_newton;
+    NewtonReport newton =
+        minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
+    // Where planes are nearly parallel, what rows still miss moves points far, and with them the slope: then
+    // a few more steps from the exact state.
+    for (int round = 0; round < kPolishingRounds && newton.end == NewtonEnd::Converged; ++round) {
+      Vector exact = run.z;
+      project_onto_demands(run.problem, exact, kDemandProjectionSteps, run.stop, &cache_);
+      const Vector multipliers =
+          estimate_multipliers(run.problem, exact, run.multipliers / share(run.problem), &cache_);
+      const double residual =
+          run.problem.first_order_residual(exact.data(), multipliers.data()) * share(run.problem);
+      if (residual <= kStopShare * run.options.tolerance) break;
+      run.z = exact;
+      run.multipliers = multipliers * share(run.problem);
+      options = newton_options(run);
+      options.at_solution = true;
+      newton =
+          minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
+    }
+    conclude(newton, report);
+  }
+  static constexpr int kPolishingRounds = 3;
+
+  static void conclude(const NewtonReport& newton, SolveReport& report) {
+    switch (newton.end) {
+      case NewtonEnd::Converged:
+        report.status = SolveStatus::Converged;
+        report.stop_reason = "feasible, and the energy is stationary to the tolerance";
+        return;
+      case NewtonEnd::Flat:
+        report.status = SolveStatus::Planar;
+        report.stop_reason =
+            "the energy no longer falls; flat places leave rows that depend on each other, and multipliers "
+            "open";
+        return;
+      case NewtonEnd::StepLimit:
+        report.status = SolveStatus::Planar;
+        report.stop_reason = "the limit of steps was reached";
+        return;
+      case NewtonEnd::Stopped:
+        report.status = SolveStatus::Stopped;
+        report.stop_reason = "stopped by the user";
+        return;
+      case NewtonEnd::NotStraight:
+      case NewtonEnd::NoStep:
+        report.status = SolveStatus::Planar;
+        report.stop_reason = "no step gained anything any more at this accuracy";
+        return;
+      case NewtonEnd::NotFinite:
+        report.status = SolveStatus::Failed;
+        report.stop_reason = "a function could not be evaluated (not a finite number)";
+        return;
+      case NewtonEnd::OutOfMemory:
+        report.status = SolveStatus::Failed;
+        report.stop_reason = "out of memory";
+        return;
+    }
+  }
+
+  // Multipliers of the last solve, for the next one of the same rows.
+  void remember(const Problem& problem, const SolveReport& report) {
+    multipliers_ = report.multipliers * share(problem);
+    remembered_rows_ = problem.jacobian_pattern().columns;
+  }
+  void recall(const Problem& problem, Vector& multipliers) const {
+    if (multipliers_.size() == problem.rows() && remembered_rows_ == problem.jacobian_pattern().columns) {
+      multipliers = multipliers_;
+      const auto [first, last] = problem.unit_normal_rows();
+      multipliers.segment(first, last - first).setZero();
+    }
+  }
+
+  TangentCache cache_;
+  Vector multipliers_;
+  std::vector<int> remembered_rows_;
+};
+
+}  // namespace
+
+std::unique_ptr<Solver> make_tangent_solver() {
+  return std::make_unique<TangentSolver>();
+}
+
+}  // namespace planewright
