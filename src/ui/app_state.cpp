@@ -17,8 +17,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// While a slider is dragged, a solve is given this long, and one step, before the next value replaces it.
-constexpr auto kRestartInterval = 100ms;
+// While a slider is dragged, a solve is given one step that is shown before the next value replaces it; small
+// models take no new value more often than a screen shows frames.
+constexpr auto kRestartInterval = 16ms;
 
 // The colour map never spans less than this, and a panel counts as planar below that; both in mean edges.
 constexpr double kLeastRange = 1e-3;
@@ -234,9 +235,13 @@ bool AppState::may_start(Clock::time_point now) const {
   if (!solve_wanted_ || document_.empty() || !reference_ready()) return false;
   const LayerRun& active = run(active_layer());
   if (!merging_ || !outcome_due_ || solving_run_ != active.id) return true;
-  const bool stepped = active.history_ticket == session_.current_ticket() && !active.history.empty() &&
-                       active.history.back().number >= 1;
-  return stepped && now - last_start_ >= kRestartInterval;
+  return has_advanced(active) && now - last_start_ >= kRestartInterval;
+}
+
+// The newest solve has delivered a state beyond its start: one that is superseded before has been in vain,
+// and a drag that only ever did that would show nothing.
+bool AppState::has_advanced(const LayerRun& of) {
+  return of.newest && of.newest->ticket == of.ticket && of.newest->iteration.number >= 1;
 }
 
 void AppState::start_solve(int layer, Clock::time_point now) {
@@ -252,6 +257,8 @@ void AppState::start_solve(int layer, Clock::time_point now) {
   request.settings = inputs.settings;
   request.selections = inputs.selections;
   request.reference = inputs.reference;
+  request.solver =
+      SolverKind::Tangent;  // every state on the way is planar, and a step is no longer than a frame
   if (inputs.neighbour) {
     request.neighbour = std::make_shared<const NeighbourLayer>(
         NeighbourLayer{inputs.neighbour->complex, inputs.neighbour->state});
@@ -274,7 +281,8 @@ void AppState::start_solve(int layer, Clock::time_point now) {
 }
 
 std::optional<Clock::time_point> AppState::next_deadline() const {
-  if (solve_wanted_ && merging_) return last_start_ + kRestartInterval;
+  // A step that is still due calls by itself.
+  if (solve_wanted_ && merging_ && has_advanced(run(active_layer()))) return last_start_ + kRestartInterval;
   return std::nullopt;
 }
 
@@ -338,6 +346,7 @@ bool AppState::drain() {
     take_energies(*of);
     of->history.insert(of->history.end(), std::make_move_iterator(drained_.begin()),
                        std::make_move_iterator(drained_.end()));
+    take_pace(*of);
     changed = true;
   }
   if (auto outcome = session_.take_outcome()) {
@@ -366,6 +375,14 @@ void AppState::take_energies(LayerRun& of) {
     for (const auto& share : step->energies) of.energies.push_back({share.name, share.weight, share.value});
     return;
   }
+}
+
+// Kept until there is another one: while a slider is dragged every solve is short, and the first steps tell
+// nothing.
+void AppState::take_pace(LayerRun& of) {
+  const Iteration &first = of.history.front(), &last = of.history.back();
+  if (last.number <= first.number) return;
+  of.milliseconds_per_step = 1000.0 * (last.seconds - first.seconds) / (last.number - first.number);
 }
 
 void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
@@ -408,8 +425,9 @@ bool AppState::show_prepared() {
   bool changed = false;
   while (auto next = preparer_.take()) {
     LayerRun* const of = find_run(next->layer);
-    // Stale: its design or layer is gone, or solved anew since.
-    if (of == nullptr || next->ticket() != of->ticket) continue;
+    if (of == nullptr) continue;  // its design or layer is gone
+    // Also of a solve that has been superseded meanwhile: in a drag that is every one, and they come in
+    // order.
     timings.prepare.add(next->milliseconds);
     show_view(*of, std::move(next));
     changed = true;
@@ -430,8 +448,8 @@ void AppState::show_view(LayerRun& of, std::shared_ptr<const PreparedView> next)
       selected_point.reset();
       selected_edge.reset();
     }
-    const bool ended = !(outcome_due_ && solving_run_ == of.id);
-    if (!next->final && !ended && (first_of_solve || next->fingerprint != last_fingerprint_)) {
+    const bool of_running = outcome_due_ && solving_run_ == of.id && next->ticket() == of.ticket;
+    if (!next->final && of_running && (first_of_solve || next->fingerprint != last_fingerprint_)) {
       ++iterates_before_end_;
     }
     last_fingerprint_ = next->fingerprint;
@@ -439,8 +457,10 @@ void AppState::show_view(LayerRun& of, std::shared_ptr<const PreparedView> next)
       const double floor = kLeastRange * next->complex().mean_edge;
       const double planarity = std::max(next->planarity.max, floor);
       const double displacement = std::max(next->displacement.max, floor);
-      planarity_range_ = first_of_solve ? planarity : std::max(planarity_range_, planarity);
-      displacement_range_ = first_of_solve ? displacement : std::max(displacement_range_, displacement);
+      // The solves of one drag are one for the legend, or it would flicker.
+      const bool anew = first_of_solve && !merging_;
+      planarity_range_ = anew ? planarity : std::max(planarity_range_, planarity);
+      displacement_range_ = anew ? displacement : std::max(displacement_range_, displacement);
     }
   }
   of.shown = std::move(next);
@@ -458,14 +478,6 @@ bool AppState::settled() const {
   return std::all_of(runs_.begin(), runs_.end(), [](const LayerRun& of) {
     return of.failed || of.submitted == (of.shown ? of.shown->number : 0);
   });
-}
-
-double AppState::milliseconds_per_step() const {
-  if (history().size() < 2) return 0.0;
-  const Iteration& first = history().front();
-  const Iteration& last = history().back();
-  if (last.number <= first.number) return 0.0;
-  return 1000.0 * (last.seconds - first.seconds) / (last.number - first.number);
 }
 
 double AppState::colour_range() const {

@@ -177,7 +177,8 @@ class AppState {
   const std::vector<SolveReport::Energy>& energies() const { return run(active_layer()).energies; }
   // All shown work belongs to the newest change, and nothing is under way.
   bool settled() const;
-  double milliseconds_per_step() const;  // mean over the history; 0 if unknown
+  // Mean of the newest solve that has made two; 0 if unknown.
+  double milliseconds_per_step() const { return run(active_layer()).milliseconds_per_step; }
   // Different states of the running (or last) solve that were shown before it ended.
   int iterates_before_end() const { return iterates_before_end_; }
   std::uint64_t ticket() const { return session_.current_ticket(); }
@@ -234,6 +235,7 @@ class AppState {
     std::shared_ptr<const Iterate> beams_to;
     std::vector<Iteration> history;
     std::uint64_t history_ticket = 0;
+    double milliseconds_per_step = 0.0;
     std::optional<SolveReport> report;
     std::vector<SolveReport::Energy> energies;
     bool failed = false;          // the newest outcome had no state to show
@@ -261,11 +263,13 @@ class AppState {
   void refresh_mesh_view();
   bool drain();
   void take_energies(LayerRun& of);
+  static void take_pace(LayerRun& of);
   void take_outcome(LayerRun& of, SolveOutcome outcome);
   bool show_prepared();
   void show_view(LayerRun& of, std::shared_ptr<const PreparedView> next);
   bool view_range_locked() const;
   bool may_start(Clock::time_point now) const;
+  static bool has_advanced(const LayerRun& of);
   void start_solve(int layer, Clock::time_point now);
 
   std::function<void()> wake_;
