@@ -226,8 +226,9 @@ void AppState::solve(Start start) {
 }
 
 void AppState::stop() {
-  solve_wanted_ = false;
+  solve_wanted_ = start_afresh_ = false;
   background_wanted_ = false;
+  for (LayerRun& of : runs_) of.polish_wanted = false;
   session_.stop();
 }
 
@@ -235,6 +236,7 @@ bool AppState::may_start(Clock::time_point now) const {
   if (!solve_wanted_ || document_.empty() || !reference_ready()) return false;
   const LayerRun& active = run(active_layer());
   if (!merging_ || !outcome_due_ || solving_run_ != active.id) return true;
+  if (active.asked == SolverKind::Auto) return true;  // nothing of a polish is shown before its end
   return has_advanced(active) && now - last_start_ >= kRestartInterval;
 }
 
@@ -244,11 +246,13 @@ bool AppState::has_advanced(const LayerRun& of) {
   return of.newest && of.newest->ticket == of.ticket && of.newest->iteration.number >= 1;
 }
 
-void AppState::start_solve(int layer, Clock::time_point now) {
+// Tangent: every state on the way is planar, and a step is no longer than a frame. Auto: a polish.
+void AppState::start_solve(int layer, Clock::time_point now, SolverKind solver) {
   LayerRun& of = runs_[static_cast<std::size_t>(layer)];
   if (outcome_due_ && solving_run_ != of.id) {
-    // It is superseded, and has to be solved another time.
-    if (LayerRun* superseded = find_run(solving_run_)) superseded->started.reset();
+    // It is superseded, and has to be solved another time; of a polish, the result stands.
+    LayerRun* superseded = find_run(solving_run_);
+    if (superseded != nullptr && superseded->asked != SolverKind::Auto) superseded->started.reset();
   }
   const bool afresh = start_afresh_ && layer == active_layer();
   LayerInputs inputs = inputs_of(layer);
@@ -257,8 +261,7 @@ void AppState::start_solve(int layer, Clock::time_point now) {
   request.settings = inputs.settings;
   request.selections = inputs.selections;
   request.reference = inputs.reference;
-  request.solver =
-      SolverKind::Tangent;  // every state on the way is planar, and a step is no longer than a frame
+  request.solver = solver;
   if (inputs.neighbour) {
     request.neighbour = std::make_shared<const NeighbourLayer>(
         NeighbourLayer{inputs.neighbour->complex, inputs.neighbour->state});
@@ -267,6 +270,8 @@ void AppState::start_solve(int layer, Clock::time_point now) {
     request.warm_start = of.newest;
   of.ticket = session_.start(std::move(request));
   of.started = std::move(inputs);
+  of.asked = solver;
+  of.polish_wanted = false;
   of.failed = false;
   solving_run_ = of.id;
   outcome_due_ = true;
@@ -316,6 +321,9 @@ bool AppState::update(Clock::time_point now) {
     if (const int next = next_waiting(); next >= 0) {
       start_solve(next, now);
       changed = true;
+    } else if (const int rough = next_to_polish(); rough >= 0) {
+      start_solve(rough, now, SolverKind::Auto);
+      changed = true;
     }
   }
   const auto old = std::remove_if(messages_.begin(), messages_.end(), [&](const Message& m) {
@@ -330,7 +338,9 @@ bool AppState::drain() {
   const Stopwatch watch;
   bool changed = false;
   LayerRun* const of = find_run(solving_run_);  // null: what comes belongs to a design or layer that is gone
-  if (auto iterate = session_.take_iterate(); iterate && of != nullptr) {
+  // Ipopt's states on the way are not planar: the result that it polishes stays what is shown.
+  const bool polishes = polishing();
+  if (auto iterate = session_.take_iterate(); iterate && of != nullptr && !polishes) {
     of->newest = std::move(iterate);
     of->newest_final = false;
     submit(*of);
@@ -343,7 +353,7 @@ bool AppState::drain() {
       of->history.clear();
       of->history_ticket = of->ticket;
     }
-    take_energies(*of);
+    if (!polishes) take_energies(*of);
     of->history.insert(of->history.end(), std::make_move_iterator(drained_.begin()),
                        std::make_move_iterator(drained_.end()));
     take_pace(*of);
@@ -386,9 +396,15 @@ void AppState::take_pace(LayerRun& of) {
 }
 
 void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
+  if (of.asked == SolverKind::Auto && !takes_over(of, outcome)) {
+    decline_polish(of, outcome);
+    return;
+  }
   // Whatever was wrong with the solve before is no longer shown.
   if (of.complaint != 0) dismiss(std::exchange(of.complaint, 0));
   const std::string where = layer_count() > 1 ? document_.name() + ", " + of.layer.name : document_.name();
+  of.made_with.reset();
+  of.polish_declined = false;
   if (!outcome.report) {
     of.failed = true;
     of.report.reset();
@@ -411,6 +427,7 @@ void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
   report.state = State();
   of.newest = std::move(iterate);
   of.newest_final = true;
+  of.made_with = of.asked;
   of.finished = of.newest;
   submit(of);
   if (report.status == SolveStatus::Failed || report.status == SolveStatus::Infeasible ||

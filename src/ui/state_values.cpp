@@ -86,6 +86,12 @@ const std::vector<std::string>& state_keys() {
                                                 "ticket",
                                                 "solving",
                                                 "settled",
+                                                "asked",
+                                                "solver",
+                                                "polishing",
+                                                "polished",
+                                                "can_polish",
+                                                "polish_automatically",
                                                 "status",
                                                 "panels",
                                                 "points",
@@ -180,6 +186,12 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "ticket") return count(state.ticket());
   if (key == "solving") return flag(state.solving());
   if (key == "settled") return flag(state.settled());
+  if (key == "asked") return std::string(planewright::name(state.asked_solver()));
+  if (key == "solver") return state.report() != nullptr ? state.report()->solver : "none";
+  if (key == "polishing") return flag(state.polishing());
+  if (key == "polished") return flag(state.polished());
+  if (key == "can_polish") return flag(state.can_polish());
+  if (key == "polish_automatically") return flag(state.polish_automatically());
   if (key == "status")
     return std::string(state.report() != nullptr ? planewright::name(state.report()->status) : "none");
   if (key == "panels") return count(shown ? shown->complex().plane_count() : 0);

@@ -418,7 +418,7 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::strin
 void Viewport::Impl::picture(Ui& ui, AppState& state) {
   const bool coarse = moving && full_ms > kSlowPicture;
   // The small things come when the picture stands still.
-  const bool fine = !moving && !state.solving();
+  const bool fine = !moving && (!state.solving() || state.polishing());
   if (fine && !fine_picture) dirty = true;
   const int divisor = coarse ? 2 : 1;
   const int width = std::max(1, camera.width() / divisor), height = std::max(1, camera.height() / divisor);

@@ -185,6 +185,7 @@ Result<void> Window::open() {
   if (options_.dark) settings.dark = *options_.dark;
   state_.view_options.ghost = settings.show_ghost;
   state_.set_auto_solve(settings.auto_solve);
+  state_.set_polish_automatically(settings.polish_automatically);
 
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
