@@ -497,6 +497,11 @@ bool AppState::settled() const {
   });
 }
 
+const Iteration* AppState::newest_step() const {
+  const LayerRun& of = run(active_layer());
+  return of.history_ticket == of.ticket && !of.history.empty() ? &of.history.back() : nullptr;
+}
+
 double AppState::colour_range() const {
   switch (view_options.colours) {
     case ColourMap::None:

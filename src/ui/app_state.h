@@ -185,6 +185,8 @@ class AppState {
   const std::shared_ptr<const PreparedView>& shown() const { return shown(active_layer()); }
   // Scalars of the newest solve of the active layer that has delivered some.
   const std::vector<Iteration>& history() const { return run(active_layer()).history; }
+  // The newest of them that is of the layer's newest solve; null: it has not delivered any yet.
+  const Iteration* newest_step() const;
   // How the active layer's newest finished solve ended; null before the first.
   const SolveReport* report() const { return report(active_layer()); }
   // What each energy adds to the objective: of the newest step while a solve runs, else of the report.

@@ -4,6 +4,7 @@
 
 #include "ui/layer_edits.h"
 #include "ui/script.h"
+#include "ui/solve_badge.h"
 #include "ui/test_driver.h"
 
 namespace planewright::ui {
@@ -88,6 +89,7 @@ const std::vector<std::string>& state_keys() {
                                                 "settled",
                                                 "asked",
                                                 "solver",
+                                                "badge",
                                                 "polishing",
                                                 "polished",
                                                 "can_polish",
@@ -188,6 +190,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "settled") return flag(state.settled());
   if (key == "asked") return std::string(planewright::name(state.asked_solver()));
   if (key == "solver") return state.report() != nullptr ? state.report()->solver : "none";
+  if (key == "badge") return solve_badge(standing_of(state), c.window.settings.unit).headline;
   if (key == "polishing") return flag(state.polishing());
   if (key == "polished") return flag(state.polished());
   if (key == "can_polish") return flag(state.can_polish());
