@@ -31,6 +31,8 @@ const std::vector<ActionInfo>& action_list() {
        "Shift Space",
        {shifted(GLFW_KEY_SPACE)}},
       {Action::AutoSolve, "auto solve", "Solve at every change", "", {}},
+      {Action::Polish, "polish", "Polish with Ipopt", "I", {key(GLFW_KEY_I)}},
+      {Action::AutoPolish, "auto polish", "Polish automatically", "", {}},
       {Action::Fit, "fit", "Fit the model", "F", {key(GLFW_KEY_F)}},
       {Action::ResetView, "reset view", "Standard view", "Home", {key(GLFW_KEY_HOME)}},
       {Action::Ghost, "ghost", "Ghost of the input", "G", {key(GLFW_KEY_G)}},
@@ -97,6 +99,8 @@ bool Actions::enabled(Action action) const {
     case Action::Fit:
     case Action::ResetView:
       return has_design;
+    case Action::Polish:
+      return state_.can_polish();
     case Action::NextFinding:
     case Action::PreviousFinding:
       return has_findings;
@@ -139,6 +143,8 @@ bool Actions::checked(Action action) const {
       return state_.document().settings().mode == ComplexKind::Planarize;
     case Action::AutoSolve:
       return state_.auto_solve();
+    case Action::AutoPolish:
+      return state_.polish_automatically();
     case Action::Ghost:
       return view.ghost;
     case Action::Markers:
@@ -298,6 +304,13 @@ void Actions::run(Action action) {
     case Action::AutoSolve:
       state_.set_auto_solve(!state_.auto_solve());
       window_.settings.auto_solve = state_.auto_solve();
+      break;
+    case Action::Polish:
+      state_.polish();
+      break;
+    case Action::AutoPolish:
+      state_.set_polish_automatically(!state_.polish_automatically());
+      window_.settings.polish_automatically = state_.polish_automatically();
       break;
     case Action::Fit:
       window_.fit_wanted = true;

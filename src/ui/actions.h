@@ -24,6 +24,8 @@ enum class Action {
   SolveOrStop,
   SolveAfresh,
   AutoSolve,
+  Polish,
+  AutoPolish,
   Fit,
   ResetView,
   Ghost,

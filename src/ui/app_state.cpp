@@ -17,8 +17,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// While a slider is dragged, a solve is given this long, and one step, before the next value replaces it.
-constexpr auto kRestartInterval = 100ms;
+// While a slider is dragged, a solve is given one step that is shown before the next value replaces it; small
+// models take no new value more often than a screen shows frames.
+constexpr auto kRestartInterval = 16ms;
 
 // The colour map never spans less than this, and a panel counts as planar below that; both in mean edges.
 constexpr double kLeastRange = 1e-3;
@@ -225,8 +226,9 @@ void AppState::solve(Start start) {
 }
 
 void AppState::stop() {
-  solve_wanted_ = false;
+  solve_wanted_ = start_afresh_ = false;
   background_wanted_ = false;
+  for (LayerRun& of : runs_) of.polish_wanted = false;
   session_.stop();
 }
 
@@ -234,16 +236,23 @@ bool AppState::may_start(Clock::time_point now) const {
   if (!solve_wanted_ || document_.empty() || !reference_ready()) return false;
   const LayerRun& active = run(active_layer());
   if (!merging_ || !outcome_due_ || solving_run_ != active.id) return true;
-  const bool stepped = active.history_ticket == session_.current_ticket() && !active.history.empty() &&
-                       active.history.back().number >= 1;
-  return stepped && now - last_start_ >= kRestartInterval;
+  if (active.asked == SolverKind::Auto) return true;  // nothing of a polish is shown before its end
+  return has_advanced(active) && now - last_start_ >= kRestartInterval;
 }
 
-void AppState::start_solve(int layer, Clock::time_point now) {
+// The newest solve has delivered a state beyond its start: one that is superseded before has been in vain,
+// and a drag that only ever did that would show nothing.
+bool AppState::has_advanced(const LayerRun& of) {
+  return of.newest && of.newest->ticket == of.ticket && of.newest->iteration.number >= 1;
+}
+
+// Tangent: every state on the way is planar, and a step is no longer than a frame. Auto: a polish.
+void AppState::start_solve(int layer, Clock::time_point now, SolverKind solver) {
   LayerRun& of = runs_[static_cast<std::size_t>(layer)];
   if (outcome_due_ && solving_run_ != of.id) {
-    // It is superseded, and has to be solved another time.
-    if (LayerRun* superseded = find_run(solving_run_)) superseded->started.reset();
+    // It is superseded, and has to be solved another time; of a polish, the result stands.
+    LayerRun* superseded = find_run(solving_run_);
+    if (superseded != nullptr && superseded->asked != SolverKind::Auto) superseded->started.reset();
   }
   const bool afresh = start_afresh_ && layer == active_layer();
   LayerInputs inputs = inputs_of(layer);
@@ -252,6 +261,7 @@ void AppState::start_solve(int layer, Clock::time_point now) {
   request.settings = inputs.settings;
   request.selections = inputs.selections;
   request.reference = inputs.reference;
+  request.solver = solver;
   if (inputs.neighbour) {
     request.neighbour = std::make_shared<const NeighbourLayer>(
         NeighbourLayer{inputs.neighbour->complex, inputs.neighbour->state});
@@ -260,6 +270,8 @@ void AppState::start_solve(int layer, Clock::time_point now) {
     request.warm_start = of.newest;
   of.ticket = session_.start(std::move(request));
   of.started = std::move(inputs);
+  of.asked = solver;
+  of.polish_wanted = false;
   of.failed = false;
   solving_run_ = of.id;
   outcome_due_ = true;
@@ -274,7 +286,8 @@ void AppState::start_solve(int layer, Clock::time_point now) {
 }
 
 std::optional<Clock::time_point> AppState::next_deadline() const {
-  if (solve_wanted_ && merging_) return last_start_ + kRestartInterval;
+  // A step that is still due calls by itself.
+  if (solve_wanted_ && merging_ && has_advanced(run(active_layer()))) return last_start_ + kRestartInterval;
   return std::nullopt;
 }
 
@@ -308,6 +321,9 @@ bool AppState::update(Clock::time_point now) {
     if (const int next = next_waiting(); next >= 0) {
       start_solve(next, now);
       changed = true;
+    } else if (const int rough = next_to_polish(); rough >= 0) {
+      start_solve(rough, now, SolverKind::Auto);
+      changed = true;
     }
   }
   const auto old = std::remove_if(messages_.begin(), messages_.end(), [&](const Message& m) {
@@ -322,7 +338,9 @@ bool AppState::drain() {
   const Stopwatch watch;
   bool changed = false;
   LayerRun* const of = find_run(solving_run_);  // null: what comes belongs to a design or layer that is gone
-  if (auto iterate = session_.take_iterate(); iterate && of != nullptr) {
+  // Ipopt's states on the way are not planar: the result that it polishes stays what is shown.
+  const bool polishes = polishing();
+  if (auto iterate = session_.take_iterate(); iterate && of != nullptr && !polishes) {
     of->newest = std::move(iterate);
     of->newest_final = false;
     submit(*of);
@@ -335,9 +353,10 @@ bool AppState::drain() {
       of->history.clear();
       of->history_ticket = of->ticket;
     }
-    take_energies(*of);
+    if (!polishes) take_energies(*of);
     of->history.insert(of->history.end(), std::make_move_iterator(drained_.begin()),
                        std::make_move_iterator(drained_.end()));
+    take_pace(*of);
     changed = true;
   }
   if (auto outcome = session_.take_outcome()) {
@@ -368,10 +387,24 @@ void AppState::take_energies(LayerRun& of) {
   }
 }
 
+// Kept until there is another one: while a slider is dragged every solve is short, and the first steps tell
+// nothing.
+void AppState::take_pace(LayerRun& of) {
+  const Iteration &first = of.history.front(), &last = of.history.back();
+  if (last.number <= first.number) return;
+  of.milliseconds_per_step = 1000.0 * (last.seconds - first.seconds) / (last.number - first.number);
+}
+
 void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
+  if (of.asked == SolverKind::Auto && !takes_over(of, outcome)) {
+    decline_polish(of, outcome);
+    return;
+  }
   // Whatever was wrong with the solve before is no longer shown.
   if (of.complaint != 0) dismiss(std::exchange(of.complaint, 0));
   const std::string where = layer_count() > 1 ? document_.name() + ", " + of.layer.name : document_.name();
+  of.made_with.reset();
+  of.polish_declined = false;
   if (!outcome.report) {
     of.failed = true;
     of.report.reset();
@@ -394,6 +427,7 @@ void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
   report.state = State();
   of.newest = std::move(iterate);
   of.newest_final = true;
+  of.made_with = of.asked;
   of.finished = of.newest;
   submit(of);
   if (report.status == SolveStatus::Failed || report.status == SolveStatus::Infeasible ||
@@ -408,8 +442,9 @@ bool AppState::show_prepared() {
   bool changed = false;
   while (auto next = preparer_.take()) {
     LayerRun* const of = find_run(next->layer);
-    // Stale: its design or layer is gone, or solved anew since.
-    if (of == nullptr || next->ticket() != of->ticket) continue;
+    if (of == nullptr) continue;  // its design or layer is gone
+    // Also of a solve that has been superseded meanwhile: in a drag that is every one, and they come in
+    // order.
     timings.prepare.add(next->milliseconds);
     show_view(*of, std::move(next));
     changed = true;
@@ -430,8 +465,8 @@ void AppState::show_view(LayerRun& of, std::shared_ptr<const PreparedView> next)
       selected_point.reset();
       selected_edge.reset();
     }
-    const bool ended = !(outcome_due_ && solving_run_ == of.id);
-    if (!next->final && !ended && (first_of_solve || next->fingerprint != last_fingerprint_)) {
+    const bool of_running = outcome_due_ && solving_run_ == of.id && next->ticket() == of.ticket;
+    if (!next->final && of_running && (first_of_solve || next->fingerprint != last_fingerprint_)) {
       ++iterates_before_end_;
     }
     last_fingerprint_ = next->fingerprint;
@@ -439,8 +474,10 @@ void AppState::show_view(LayerRun& of, std::shared_ptr<const PreparedView> next)
       const double floor = kLeastRange * next->complex().mean_edge;
       const double planarity = std::max(next->planarity.max, floor);
       const double displacement = std::max(next->displacement.max, floor);
-      planarity_range_ = first_of_solve ? planarity : std::max(planarity_range_, planarity);
-      displacement_range_ = first_of_solve ? displacement : std::max(displacement_range_, displacement);
+      // The solves of one drag are one for the legend, or it would flicker.
+      const bool anew = first_of_solve && !merging_;
+      planarity_range_ = anew ? planarity : std::max(planarity_range_, planarity);
+      displacement_range_ = anew ? displacement : std::max(displacement_range_, displacement);
     }
   }
   of.shown = std::move(next);
@@ -460,12 +497,9 @@ bool AppState::settled() const {
   });
 }
 
-double AppState::milliseconds_per_step() const {
-  if (history().size() < 2) return 0.0;
-  const Iteration& first = history().front();
-  const Iteration& last = history().back();
-  if (last.number <= first.number) return 0.0;
-  return 1000.0 * (last.seconds - first.seconds) / (last.number - first.number);
+const Iteration* AppState::newest_step() const {
+  const LayerRun& of = run(active_layer());
+  return of.history_ticket == of.ticket && !of.history.empty() ? &of.history.back() : nullptr;
 }
 
 double AppState::colour_range() const {

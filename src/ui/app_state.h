@@ -150,11 +150,25 @@ class AppState {
   enum class Start { Warm, Afresh };  // from the newest state, or from the builder's own
   void solve(Start start = Start::Warm);
   void stop();
-  bool solving() const { return solve_wanted_ || outcome_due_ || next_waiting() >= 0; }
+  // A polish included.
+  bool solving() const {
+    return solve_wanted_ || outcome_due_ || next_waiting() >= 0 || next_to_polish() >= 0;
+  }
   // Whether what the active layer was last solved from, or is being solved from, is the present design.
   bool up_to_date() const { return document_.empty() || !run(active_layer()).stale; }
   void set_auto_solve(bool on) { auto_solve_ = on; }
   bool auto_solve() const { return auto_solve_; }
+
+  // --- Polishing: every solve is the tangent solver's; Ipopt can go on from its result, and confirm it.
+  bool can_polish() const;  // the active layer has such a result, of the present design
+  void polish();
+  bool polishing() const;  // what the solver works on (solving_layer()) is a polish
+  bool polished() const;   // what is shown of the active layer is what a polish came to
+  // Each result that comes to a good end is polished, once no control is held.
+  void set_polish_automatically(bool on) { polish_automatically_ = on; }
+  bool polish_automatically() const { return polish_automatically_; }
+  // With which the newest solve of the active layer was started.
+  SolverKind asked_solver() const { return run(active_layer()).asked; }
 
   // Takes what is ready, starts what is due. True if anything that is shown has changed.
   bool update(Clock::time_point now);
@@ -171,13 +185,16 @@ class AppState {
   const std::shared_ptr<const PreparedView>& shown() const { return shown(active_layer()); }
   // Scalars of the newest solve of the active layer that has delivered some.
   const std::vector<Iteration>& history() const { return run(active_layer()).history; }
+  // The newest of them that is of the layer's newest solve; null: it has not delivered any yet.
+  const Iteration* newest_step() const;
   // How the active layer's newest finished solve ended; null before the first.
   const SolveReport* report() const { return report(active_layer()); }
   // What each energy adds to the objective: of the newest step while a solve runs, else of the report.
   const std::vector<SolveReport::Energy>& energies() const { return run(active_layer()).energies; }
   // All shown work belongs to the newest change, and nothing is under way.
   bool settled() const;
-  double milliseconds_per_step() const;  // mean over the history; 0 if unknown
+  // Mean of the newest solve that has made two; 0 if unknown.
+  double milliseconds_per_step() const { return run(active_layer()).milliseconds_per_step; }
   // Different states of the running (or last) solve that were shown before it ended.
   int iterates_before_end() const { return iterates_before_end_; }
   std::uint64_t ticket() const { return session_.current_ticket(); }
@@ -221,11 +238,12 @@ class AppState {
   // What is known of a layer besides its settings.
   struct LayerRun {
     std::uint64_t id = 0;
-    Layer layer;                            // as the document last had it
-    std::optional<LayerInputs> started;     // of the newest solve; none: never, or it was superseded
-    bool stale = true;                      // the present inputs are others
-    std::uint64_t ticket = 0;               // of the newest solve
-    std::shared_ptr<const Iterate> newest;  // that any solve delivered
+    Layer layer;                             // as the document last had it
+    std::optional<LayerInputs> started;      // of the newest solve; none: never, or it was superseded
+    bool stale = true;                       // the present inputs are others
+    std::uint64_t ticket = 0;                // of the newest solve
+    SolverKind asked = SolverKind::Tangent;  // for that solve; a polish asks for Auto
+    std::shared_ptr<const Iterate> newest;   // that any solve delivered
     bool newest_final = false;
     std::shared_ptr<const Iterate> finished;  // the newest outcome; what other layers are fitted to
     std::shared_ptr<const PreparedView> shown;
@@ -234,7 +252,11 @@ class AppState {
     std::shared_ptr<const Iterate> beams_to;
     std::vector<Iteration> history;
     std::uint64_t history_ticket = 0;
+    double milliseconds_per_step = 0.0;
     std::optional<SolveReport> report;
+    std::optional<SolverKind> made_with;  // what was asked for when that result was made; none: no result
+    bool polish_wanted = false;           // the designer has asked for it
+    bool polish_declined = false;         // a polish of this result has come to nothing
     std::vector<SolveReport::Energy> energies;
     bool failed = false;          // the newest outcome had no state to show
     std::uint64_t complaint = 0;  // message about how the newest solve ended, 0: none
@@ -261,12 +283,18 @@ class AppState {
   void refresh_mesh_view();
   bool drain();
   void take_energies(LayerRun& of);
+  static void take_pace(LayerRun& of);
   void take_outcome(LayerRun& of, SolveOutcome outcome);
+  bool can_polish(const LayerRun& of) const;
+  int next_to_polish() const;  // the layer to be polished next, -1: none
+  static bool takes_over(const LayerRun& of, const SolveOutcome& polish);
+  void decline_polish(LayerRun& of, const SolveOutcome& polish);
   bool show_prepared();
   void show_view(LayerRun& of, std::shared_ptr<const PreparedView> next);
   bool view_range_locked() const;
   bool may_start(Clock::time_point now) const;
-  void start_solve(int layer, Clock::time_point now);
+  static bool has_advanced(const LayerRun& of);
+  void start_solve(int layer, Clock::time_point now, SolverKind solver = SolverKind::Tangent);
 
   std::function<void()> wake_;
   Document document_;
@@ -301,6 +329,7 @@ class AppState {
   double planarity_range_ = 0.0, displacement_range_ = 0.0;
 
   bool auto_solve_ = true;
+  bool polish_automatically_ = false;
   bool solve_wanted_ = false;
   bool start_afresh_ = false;
   bool merging_ = false;  // a slider is being dragged

@@ -107,7 +107,7 @@ void AppState::show_settings_of_views() {
   const std::vector<Layer>& layers = document_.design().layers;
   for (std::size_t i = 0; i < layers.size(); ++i) {
     LayerRun& of = runs_[i];
-    if (!of.newest || of.newest->ticket != of.ticket) continue;
+    if (!of.newest) continue;
     const int k = layers[i].coplanar_with;
     const auto beams_to =
         k >= 0 && k < static_cast<int>(i) ? run(k).finished : std::shared_ptr<const Iterate>();

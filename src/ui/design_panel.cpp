@@ -68,8 +68,9 @@ void draw_solve(Desk& desk) {
   look.primary = !solving;
   const float restart = ui.theme().has_icons() ? ImGui::GetFrameHeight() : ui.px(80);
   look.width = ImGui::GetContentRegionAvail().x - restart - ImGui::GetStyle().ItemSpacing.x;
-  look.tooltip = solving ? "Stops within one step and keeps the best state  (Space)"
-                         : "Solve from the present state  (Space)";
+  look.tooltip = state.polishing() ? "Stops Ipopt and keeps the panels that are shown  (Space)"
+                 : solving         ? "Stops within one step and keeps the best state  (Space)"
+                                   : "Solve from the present state  (Space)";
   if (ui.button(solving ? "Stop" : "Solve", solving ? "Stop" : "Solve", look))
     desk.actions.request(Action::SolveOrStop);
   ImGui::SameLine();
@@ -89,7 +90,8 @@ void draw_solve(Desk& desk) {
   const auto& history = state.history();
   if (solving) {
     const bool stepped = !history.empty();
-    ui.value_row("Solving", stepped ? "step " + format_count(history.back().number) : "…");
+    ui.value_row(state.polishing() ? "Polishing" : "Solving",
+                 stepped ? "step " + format_count(history.back().number) : "…");
     ui.value_row("Time", stepped ? format_duration(history.back().seconds) : "…");
   } else if (report != nullptr) {
     const bool good = report->status == SolveStatus::Converged;

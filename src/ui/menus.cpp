@@ -129,6 +129,9 @@ float draw_menu_bar(Desk& desk) {
       item(desk, Action::SolveAfresh);
       item(desk, Action::AutoSolve);
       ImGui::Separator();
+      item(desk, Action::Polish);
+      item(desk, Action::AutoPolish);
+      ImGui::Separator();
       item(desk, Action::ModeDual);
       item(desk, Action::ModePlanarize);
       ImGui::EndMenu();

@@ -29,9 +29,10 @@ void draw_status_bar(Desk& desk, const Rect& place);
 void draw_splitters(Desk& desk, const Layout& layout);
 
 // Over the model.
-void draw_hint(Desk& desk, const Rect& viewport);      // what to try at first
-void draw_messages(Desk& desk, const Rect& viewport);  // errors and notices; they wait for nobody
-void draw_help_cards(Desk& desk);                      // keys, timings, about
+void draw_solve_badge(Desk& desk, const Rect& viewport);  // how the solve stands, and the polish
+void draw_hint(Desk& desk, const Rect& viewport);         // what to try at first
+void draw_messages(Desk& desk, const Rect& viewport);     // errors and notices; they wait for nobody
+void draw_help_cards(Desk& desk);                         // keys, timings, about
 
 // The sections of the left panel, one file each.
 void draw_presets(Desk& desk);

@@ -3,6 +3,7 @@
 
 #include "ui/format.h"
 #include "ui/panels.h"
+#include "ui/solve_badge.h"
 
 namespace planewright::ui {
 namespace {
@@ -55,7 +56,7 @@ void draw_solve_report(Desk& desk) {
                report->status == SolveStatus::Converged ? ui.colours().good : ui.colours().warning);
   if (!report->stop_reason.empty()) ui.wrapped(report->stop_reason, 0, true);
   ui.gap(4);
-  ui.value_row("Solver", capitalised(report->solver));
+  ui.value_row("Solver", solver_line(*report));
   ui.value_row("Steps", format_count(report->iterations));
   ui.value_row("Time", format_duration(report->seconds));
   ui.value_row("First-order residual", format_number(report->first_order_residual), 0,

@@ -4,6 +4,7 @@
 
 #include "ui/layer_edits.h"
 #include "ui/script.h"
+#include "ui/solve_badge.h"
 #include "ui/test_driver.h"
 
 namespace planewright::ui {
@@ -86,6 +87,13 @@ const std::vector<std::string>& state_keys() {
                                                 "ticket",
                                                 "solving",
                                                 "settled",
+                                                "asked",
+                                                "solver",
+                                                "badge",
+                                                "polishing",
+                                                "polished",
+                                                "can_polish",
+                                                "polish_automatically",
                                                 "status",
                                                 "panels",
                                                 "points",
@@ -180,6 +188,13 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "ticket") return count(state.ticket());
   if (key == "solving") return flag(state.solving());
   if (key == "settled") return flag(state.settled());
+  if (key == "asked") return std::string(planewright::name(state.asked_solver()));
+  if (key == "solver") return state.report() != nullptr ? state.report()->solver : "none";
+  if (key == "badge") return solve_badge(standing_of(state), c.window.settings.unit).headline;
+  if (key == "polishing") return flag(state.polishing());
+  if (key == "polished") return flag(state.polished());
+  if (key == "can_polish") return flag(state.can_polish());
+  if (key == "polish_automatically") return flag(state.polish_automatically());
   if (key == "status")
     return std::string(state.report() != nullptr ? planewright::name(state.report()->status) : "none");
   if (key == "panels") return count(shown ? shown->complex().plane_count() : 0);

@@ -15,14 +15,16 @@ std::string sentence(const Desk& desk) {
   if (state.document().empty()) return "Drop a mesh on the window, or press Ctrl O.";
   const auto& shown = state.shown();
   if (state.solving()) {
-    std::string text = "Solving";
+    const bool polishing = state.polishing();
+    std::string text = polishing ? "Polishing with Ipopt" : "Solving";
     if (!state.history().empty()) {
       const Iteration& at = state.history().back();
       text += ": step " + format_count(at.number) + ", infeasibility " +
               format_with_unit(at.infeasibility, "edges") + ", " + format_duration(at.seconds);
       if (at.restoration) text += ", looking for a feasible place";
     }
-    return text + ". Space stops and keeps the best state.";
+    return text +
+           (polishing ? ". Space stops and keeps the panels." : ". Space stops and keeps the best state.");
   }
   if (!shown) return "Ready. Space solves.";
   std::string text = "Ready. " + format_count(shown->complex().plane_count(), "panel", "panels") +

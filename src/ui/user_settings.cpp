@@ -47,6 +47,7 @@ Result<UserSettings> parse_user_settings(const std::string& text) {
   read(json, "show_ghost", s.show_ghost);
   read(json, "show_hint", s.show_hint);
   read(json, "auto_solve", s.auto_solve);
+  read(json, "polish_automatically", s.polish_automatically);
   read(json, "last_folder", s.last_folder);
   s.window_width = std::clamp(s.window_width, 640, 16384);
   s.window_height = std::clamp(s.window_height, 480, 16384);
@@ -70,6 +71,7 @@ std::string format_user_settings(const UserSettings& s) {
       {"show_ghost", s.show_ghost},
       {"show_hint", s.show_hint},
       {"auto_solve", s.auto_solve},
+      {"polish_automatically", s.polish_automatically},
       {"last_folder", s.last_folder},
   };
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

@@ -20,8 +20,9 @@ struct UserSettings {
   bool dark = false;
   std::string unit = "m";  // what one unit of a model is called
   bool show_ghost = true;
-  bool show_hint = true;   // the three lines of what to try
-  bool auto_solve = true;  // solve at every change
+  bool show_hint = true;              // the three lines of what to try
+  bool auto_solve = true;             // solve at every change
+  bool polish_automatically = false;  // Ipopt confirms what the tangent solver has finished
   std::string last_folder = {};
 
   bool operator==(const UserSettings&) const = default;

@@ -375,7 +375,7 @@ std::optional<ImVec2> Viewport::place_of_pin(const AppState& state, int pin) con
 
 // --- The frame -------------------------------------------------------------------------------
 
-void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::string& unit) {
+void Viewport::draw(Ui& ui, AppState& state, const Rect& place) {
   Impl& v = *impl_;
   const float ratio = ImGui::GetIO().DisplayFramebufferScale.x;
   v.place = place;
@@ -407,7 +407,6 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::strin
   v.picture(ui, state);
   if (v.redrawn) state.timings.scene.add(watch.milliseconds());
   ImGui::GetWindowDrawList()->AddImage(v.target.texture(), place.min, place.max, ImVec2(0, 1), ImVec2(1, 0));
-  draw_badge(ui, state, v.place, unit, v.shown ? std::optional(v.shown->planarity.max) : std::nullopt);
   if (v.scale && v.shown) draw_legend(ui, v.place, *v.scale, v.colours);
   draw_axes(ui, v.place, v.camera);
   if (v.boxing && v.dragging) v.draw_box(ui, ImGui::GetIO().MousePos);
@@ -418,7 +417,7 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place, const std::strin
 void Viewport::Impl::picture(Ui& ui, AppState& state) {
   const bool coarse = moving && full_ms > kSlowPicture;
   // The small things come when the picture stands still.
-  const bool fine = !moving && !state.solving();
+  const bool fine = !moving && (!state.solving() || state.polishing());
   if (fine && !fine_picture) dirty = true;
   const int divisor = coarse ? 2 : 1;
   const int width = std::max(1, camera.width() / divisor), height = std::max(1, camera.height() / divisor);

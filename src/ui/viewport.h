@@ -30,7 +30,7 @@ class Viewport {
   // Hands what is new to OpenGL. Cheap when nothing is.
   void upload(AppState& state, bool dark, const std::string& unit);
   // The window's part of the frame: mouse, picture, overlays.
-  void draw(Ui& ui, AppState& state, const Rect& place, const std::string& unit);
+  void draw(Ui& ui, AppState& state, const Rect& place);
 
   void fit(const AppState& state);
   void reset_direction(const AppState& state);

@@ -23,53 +23,6 @@ ImVec2 legend_size(const Ui& ui) {
   return {ui.px(284), 2 * ui.theme().small()->FontSize + ui.px(kLegendBar) + 3 * ui.px(8)};
 }
 
-void draw_badge(Ui& ui, const AppState& state, const Rect& place, const std::string& unit,
-                std::optional<double> planarity) {
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const Palette& p = ui.colours();
-  std::string text;
-  ImU32 dot = p.ink_faint;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "  ·  ") + part; };
-  if (state.loading()) {
-    add("Opening " + state.loading_name());
-    dot = p.accent;
-  } else if (state.document().empty()) {
-    return;
-  } else if (state.solving()) {
-    dot = p.accent;
-    const auto at = state.solving_layer();
-    const bool other = at && *at != state.active_layer();
-    add(other ? "Solving " + state.document().design().layers[static_cast<std::size_t>(*at)].name
-              : "Solving");
-    if (!other && !state.history().empty()) {
-      add("step " + format_count(state.history().back().number));
-      add(format_duration(state.history().back().seconds));
-    }
-  } else if (const SolveReport* report = state.report()) {
-    const bool good = report->status == SolveStatus::Converged;
-    dot = good ? p.good : p.warning;
-    add(capitalised(planewright::name(report->status)));
-  }
-  if (const SolveReport* report = state.report(); report != nullptr && !state.solving()) {
-    if (!report->solver.empty()) add(capitalised(report->solver));
-  }
-  if (planarity)
-    add((*planarity <= state.planarity_tolerance() ? "planar to " : "planarity ") +
-        format_with_unit(*planarity, unit));
-  if (const double ms = state.milliseconds_per_step(); ms > 0) add(format_duration(ms / 1000) + "/step");
-  if (text.empty()) return;
-
-  ImFont* font = ui.theme().small();
-  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
-  const float height = ui.px(26), left = ui.px(22);
-  const ImVec2 min(place.min.x + ui.px(12), place.min.y + ui.px(12));
-  const ImVec2 max(min.x + left + size.x + ui.px(12), min.y + height);
-  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(13));
-  draw.AddRect(min, max, p.line, ui.px(13));
-  draw.AddCircleFilled(ImVec2(min.x + ui.px(13), 0.5f * (min.y + max.y)), ui.px(4), dot, 16);
-  draw_text_aligned(draw, font, ImVec2(min.x + left, min.y), max, 0.0f, p.ink, text);
-}
-
 void draw_tool_hint(Ui& ui, const Rect& place, const AppState& state) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const Palette& p = ui.colours();

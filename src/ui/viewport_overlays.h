@@ -1,9 +1,8 @@
-// What lies over the model: the badge that says how the solve stands, the colours' legend, the axes. Each
-// draws into the current Dear ImGui window. Threads: the window's. Units: `place` in pixels of the window;
-// lengths in model units.
+// What lies over the model: what the tool in hand does, the colours' legend, the axes. Each draws into the
+// current Dear ImGui window. Threads: the window's. Units: `place` in pixels of the window; lengths in model
+// units.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "ui/app_state.h"
@@ -14,11 +13,7 @@
 
 namespace planewright::ui {
 
-// Top left. planarity: the largest deviation of the panels shown; none before there are any.
-void draw_badge(Ui& ui, const AppState& state, const Rect& place, const std::string& unit,
-                std::optional<double> planarity);
-
-// Below it: what the mouse does while a tool other than looking is in hand.
+// Top left, below the badge: what the mouse does while a tool other than looking is in hand.
 void draw_tool_hint(Ui& ui, const Rect& place, const AppState& state);
 
 // Bottom left; its size, for what has to stand beside it.

@@ -185,6 +185,7 @@ Result<void> Window::open() {
   if (options_.dark) settings.dark = *options_.dark;
   state_.view_options.ghost = settings.show_ghost;
   state_.set_auto_solve(settings.auto_solve);
+  state_.set_polish_automatically(settings.polish_automatically);
 
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
@@ -352,13 +353,14 @@ void Window::frame() {
   Desk desk{*ui_, state_, shown_, *actions_};
   const float menu_height = draw_menu_bar(desk);
   const Layout layout = arrange(ImGui::GetIO().DisplaySize, menu_height, theme_->scale(), shown_.settings);
-  viewport_->draw(*ui_, state_, layout.viewport, shown_.settings.unit);
+  viewport_->draw(*ui_, state_, layout.viewport);
   draw_toolbar(desk, layout.toolbar);
   draw_design_panel(desk, layout.left);
   draw_findings_panel(desk, layout.right);
   draw_convergence_panel(desk, layout.bottom);
   draw_status_bar(desk, layout.status);
   draw_splitters(desk, layout);
+  draw_solve_badge(desk, layout.viewport);
   draw_hint(desk, layout.viewport);
   draw_messages(desk, layout.viewport);
   take_browser_result();

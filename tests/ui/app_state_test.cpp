@@ -102,6 +102,24 @@ TEST(AppState, ADragShowsOnlyTheNewestValueInTheEnd) {
   EXPECT_FALSE(state.document().can_undo()) << "a drag is one step";
 }
 
+// Every solve of a drag is superseded, so what they deliver has to be shown all the same.
+TEST(AppState, ADragThatNeverRestsShowsPanelsOnItsWay) {
+  AppState state;
+  state.open_sample("torus", 400);
+  ASSERT_TRUE(settle(state));
+  std::set<std::uint64_t> shown;
+  int value = 0;
+  ASSERT_TRUE(run_until(state, [&] {
+    if (state.shown()->ticket() != state.ticket()) shown.insert(state.shown()->fingerprint);
+    state.change_settings(with_fairing(state, 0.001 * ++value), "Weight of fairing", "weight fairing");
+    return shown.size() >= 6;
+  }));
+  state.end_merge();
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.shown()->ticket(), state.ticket());
+  EXPECT_TRUE(state.shown()->final);
+}
+
 TEST(AppState, FlipsSolveAgainAndRefusalsAreMessages) {
   AppState state;
   state.open_sample("dome", 100);

@@ -108,7 +108,15 @@ wait_for 20 "the flip" is undo "Flip edge $edge"
 wait_for 120 "the solve ends" is settled 1
 echo "edge: $edge flipped at $ex, $ey"
 
-# 4. A drag over the model orbits and flips nothing.
+# 4. I polishes what the solve came to.
+is polished 0 || fail "the result is polished, though nobody asked"
+xdotool mousemove 700 420 sleep 0.2 key i
+wait_for 20 "the polish starts" is asked auto
+wait_for 120 "the polish ends" is settled 1
+is polished 1 || fail "the result is not polished"
+echo "polish: $(value badge)"
+
+# 5. A drag over the model orbits and flips nothing.
 revision=$(value revision)
 camera=$(value camera)
 drag 700 420 850 460 1
@@ -119,7 +127,7 @@ xdotool mousemove 700 420 sleep 0.2 click 4 sleep 0.2 click 4
 wait_for 20 "the wheel zooms" is_not camera "$camera"
 echo "orbit and zoom: camera $(value camera)"
 
-# 5. Keys.
+# 6. Keys.
 xdotool mousemove 700 420 sleep 0.2 key c
 wait_for 20 "C colours by planarity" is colours planarity
 

@@ -12,6 +12,8 @@ TEST(UserSettings, SurviveTheRoundTrip) {
   settings.left_width = 345.5f;
   settings.dark = true;
   settings.show_hint = false;
+  settings.auto_solve = false;
+  settings.polish_automatically = true;
   settings.last_folder = "/a folder/with \"quotes\" and ü";
   const auto read = parse_user_settings(format_user_settings(settings));
   ASSERT_TRUE(read.has_value());
@@ -23,6 +25,7 @@ TEST(UserSettings, UnknownMissingAndWrongKeysAreHarmless) {
       parse_user_settings(R"({"dark": "yes", "window_width": -5, "new": [1], "unit": "a very long unit"})");
   ASSERT_TRUE(read.has_value());
   EXPECT_FALSE(read->dark);
+  EXPECT_FALSE(read->polish_automatically);
   EXPECT_EQ(read->window_width, 640);
   EXPECT_EQ(read->unit, "m");
 }

@@ -1,8 +1,7 @@
 // The real window, driven by scripts: each test starts the program, plays one, and looks at what came of it.
-#include "support/window_fixture.h"
-
 #include "core/diagnose/planarity.h"
 #include "core/mesh/mesh_io.h"
+#include "support/window_fixture.h"
 
 namespace planewright {
 namespace {
@@ -61,6 +60,92 @@ TEST_F(WindowTest, StreamsIteratesWhileAWeightIsDragged) {
     expect weight.fairing > 1
     key Space
   )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, PolishesByButtonAndByItself) {
+  const Playback run = play(R"(
+    sample torus 400
+    wait_loaded 20
+    wait_solved 100
+    expect asked == tangent
+    expect badge contains ", converged"
+    expect polished == 0
+    expect ui:Badge/polish == enabled
+    hover Badge/badge
+    wait_frames 4
+    screenshot PICTURES/badge.png
+    click Badge/polish
+    wait_frames 3
+    wait_solved 200
+    expect asked == auto
+    expect polished == 1
+    expect badge == "Ipopt, confirmed"
+    expect ui:Badge/polish == disabled
+    expect planarity_relative <= 1e-9
+    expect can_undo == 0
+    screenshot PICTURES/polished.png
+    # There is nothing to polish any more.
+    remember ticket polished
+    key I
+    wait_frames 6
+    expect ticket == $polished
+    # A drag is the tangent solver's.
+    drag "Design/weight fairing" 0.5
+    wait_solved 200
+    expect asked == tangent
+    expect polished == 0
+    key I
+    wait_frames 3
+    wait_solved 200
+    expect polished == 1
+    # By itself, but not while the knob is held.
+    expect polish_automatically == 0
+    click Menu/Solve
+    wait_frames 3
+    click "Menu/Solve/auto polish"
+    wait_frames 3
+    expect polish_automatically == 1
+    press "Design/weight fairing"
+    move "Design/weight fairing" 0.6
+    move "Design/weight fairing" 0.62
+    wait_solved 200
+    wait_frames 10
+    expect asked == tangent
+    expect polished == 0
+    release
+    wait_frames 3
+    wait_solved 200
+    expect polished == 1
+    expect undo == "Weight of fairing"
+  )");
+  ASSERT_EQ(run.status, 0) << run.output;
+  // The setting is there at the next start.
+  const Playback again = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    expect polish_automatically == 1
+    expect polished == 1
+  )");
+  EXPECT_EQ(again.status, 0) << again.output;
+}
+
+// The badge, its button and the small window: what has no room gives way.
+TEST_F(WindowTest, TheBadgeFitsANarrowView) {
+  const Playback run = play(R"(
+    wait_loaded 20
+    wait_solved 60
+    wait_frames 3
+    expect badge contains ", converged"
+    expect ui:Badge/badge == enabled
+    expect ui:Badge/polish == absent
+    screenshot PICTURES/narrow.png
+    key I
+    wait_frames 3
+    wait_solved 60
+    expect polished == 1
+  )",
+                            "", 240, "760x600");
   EXPECT_EQ(run.status, 0) << run.output;
 }
 
