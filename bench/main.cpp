@@ -1,5 +1,10 @@
 // planewright-bench: measures solvers side by side in one run.
 //
+//   compare         Ipopt default, Ipopt tuned, tangent and auto, all to one first-order residual, over tori
+//                   of growing size and real meshes: hours, so see --only, --models and --limit
+//
+// Without one of those words each solver ends by its own termination:
+//
 //   (no options)                    the general solver and its frozen baselines, torus of 10,000 panels
 //   --rows 40 --columns 40          a small one
 //   --mesh FILE...                  the general solver alone on real meshes
@@ -13,6 +18,7 @@
 #include <cstdio>
 
 #include "blas_threads.h"
+#include "compare.h"
 #include "demands.h"
 #include "own_termination.h"
 
@@ -39,8 +45,11 @@ int main(int argc, char** argv) {
   app.add_option("--limit", demands.seconds,
                  "With --no-penetration or --uncrossed: cut a row off after so many seconds")
       ->check(CLI::PositiveNumber);
+  app.require_subcommand(0, 1);
+  bench::declare_compare(app);
   try {
     app.parse(argc, argv);
+    if (!app.get_subcommands().empty()) return 0;
     if (no_penetration)
       bench::measure_non_penetration(demands);
     else if (uncrossed)
