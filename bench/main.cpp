@@ -2,6 +2,7 @@
 //
 //   compare         Ipopt default, Ipopt tuned, tangent and auto, all to one first-order residual, over tori
 //                   of growing size and real meshes: hours, so see --only, --models and --limit
+//   live            from a slider's move to the first planar panels
 //
 // Without one of those words each solver ends by its own termination:
 //
@@ -20,6 +21,7 @@
 #include "blas_threads.h"
 #include "compare.h"
 #include "demands.h"
+#include "live.h"
 #include "own_termination.h"
 
 int main(int argc, char** argv) {
@@ -47,6 +49,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.require_subcommand(0, 1);
   bench::declare_compare(app);
+  bench::declare_live(app);
   try {
     app.parse(argc, argv);
     if (!app.get_subcommands().empty()) return 0;
