@@ -3,6 +3,7 @@
 //   compare         Ipopt default, Ipopt tuned, tangent and auto, all to one first-order residual, over tori
 //                   of growing size and real meshes: hours, so see --only, --models and --limit
 //   live            from a slider's move to the first planar panels
+//   warm-start      iterations of Ipopt alone, and from where the tangent solver ended
 //
 // Without one of those words each solver ends by its own termination:
 //
@@ -23,6 +24,7 @@
 #include "demands.h"
 #include "live.h"
 #include "own_termination.h"
+#include "warm_start.h"
 
 int main(int argc, char** argv) {
   using namespace planewright;
@@ -50,6 +52,7 @@ int main(int argc, char** argv) {
   app.require_subcommand(0, 1);
   bench::declare_compare(app);
   bench::declare_live(app);
+  bench::declare_warm_start(app);
   try {
     app.parse(argc, argv);
     if (!app.get_subcommands().empty()) return 0;
