@@ -20,8 +20,7 @@ void compare(const CompareOptions& options) {
   const std::filesystem::path meshes = meshes_folder(options.meshes);
   std::vector<Contender> contenders;
   for (const std::string& name : options.only) contenders.push_back(find_contender(name));
-  std::vector<Model> models;
-  for (const std::string& name : options.models) models.push_back(find_model(name));
+  const std::vector<Model> models = find_models(options.models);
 
   std::printf(
       "Planar panels near the design: position energy alone. Every solver stops at one first-order residual\n"

@@ -127,8 +127,8 @@ LiveRow drag_slider(const Model& model, const std::filesystem::path& meshes, con
 
 // "met", or what is wrong; nothing where there is no goal for that size.
 std::string judged(const LiveRow& row, int steps) {
-  if (row.warm != SolveStatus::Converged) return "the start did not converge";
-  if (row.frames < steps) return "steps without a planar frame";
+  if (row.warm != SolveStatus::Converged) return "unconverged start";
+  if (row.frames < steps) return "frames are missing";
   if (row.residual > kPlanar) return "frames are not planar";
   for (const Goal& goal : kGoals)
     if (row.panels == goal.panels) return row.median_cpu <= goal.ms ? "met" : "MISSED";
@@ -146,14 +146,24 @@ void print(const std::string& name, const std::string& solver, const ChildOutcom
   if (outcome.end != ChildEnd::Finished) {
     std::printf("%-26s %-7s %s\n", name.c_str(), solver.c_str(), outcome.why.c_str());
   } else {
-    std::printf("%-26s %-7s %6d %3d/%-3d %8.1f %8.1f %8.1f %8.1f %9.1e  %s\n", name.c_str(), solver.c_str(),
-                row.panels, row.frames, steps, row.median_cpu, row.worst_cpu, row.median_wall,
-                row.median_turn, row.residual, judged(row, steps).c_str());
+    std::printf("%-26s %-7s %6d %3d/%-3d ", name.c_str(), solver.c_str(), row.panels, row.frames, steps);
+    if (row.frames > 0)
+      std::printf("%8.1f %8.1f %8.1f %8.1f %9.1e", row.median_cpu, row.worst_cpu, row.median_wall,
+                  row.median_turn, row.residual);
+    else
+      std::printf("%8s %8s %8s %8.1f %9s", "-", "-", "-", row.median_turn, "-");
+    std::printf("  %s\n", judged(row, steps).c_str());
   }
   std::fflush(stdout);
 }
 
 void measure_live(const LiveOptions& options) {
+  const std::filesystem::path meshes = meshes_folder(options.meshes);
+  const std::vector<Model> models = find_models(options.models);
+  std::vector<const Preset*> chosen;
+  for (const std::string& name : options.presets) chosen.push_back(value_of(find_preset(name)));
+  std::vector<SolverKind> solvers;
+  for (const std::string& name : options.only) solvers.push_back(value_of(find_solver(name)));
   std::printf(
       "From a converged state one weight, the one beside position (fairing from 0 where there is none),\n"
       "changes by %g %% a step. A step starts at the newest state shown and ends at the first planar one\n"
@@ -165,26 +175,22 @@ void measure_live(const LiveOptions& options) {
               "frame", "turn", "residual");
   std::printf("%-26s %-7s %6s %7s %8s %8s %8s %8s %9s\n", "", "", "", "", "CPU ms", "CPU ms", "wall ms",
               "CPU ms", "edges");
-  const std::filesystem::path meshes = meshes_folder(options.meshes);
-  for (const std::string& wanted : options.models) {
-    const Model& model = find_model(wanted);
+  for (const Model& model : models) {
     if (!available(model, meshes)) {
       print_skipped(model.name, "there is no " + model.file + "; name its folder with --meshes");
       continue;
     }
-    for (const std::string& name : options.presets) {
-      const Preset& preset = *value_of(find_preset(name));
-      for (const std::string& solver : options.only) {
-        const SolverKind kind = value_of(find_solver(solver));
+    for (const Preset* preset : chosen) {
+      for (const SolverKind kind : solvers) {
         const std::function<LiveRow()> drag = [&] {
-          return drag_slider(model, meshes, preset, kind, options.steps);
+          return drag_slider(model, meshes, *preset, kind, options.steps);
         };
         auto best = run_in_child(drag, options.limits);
         for (int k = 1; k < options.repeat && best.end == ChildEnd::Finished; ++k) {
           auto next = run_in_child(drag, options.limits);
           if (next.end != ChildEnd::Finished || next.value.median_cpu < best.value.median_cpu) best = next;
         }
-        print(model.name + ' ' + name, solver, best, options.steps);
+        print(model.name + ' ' + preset->name, name(kind), best, options.steps);
       }
     }
   }

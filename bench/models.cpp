@@ -37,6 +37,12 @@ const Model& find_model(const std::string& name) {
   throw std::runtime_error("--models " + name + ": there is no such model. Known: " + known);
 }
 
+std::vector<Model> find_models(const std::vector<std::string>& names) {
+  std::vector<Model> models;
+  for (const std::string& name : names) models.push_back(find_model(name));
+  return models;
+}
+
 std::filesystem::path meshes_folder(const std::string& named) {
   namespace fs = std::filesystem;
   std::error_code error;

@@ -27,6 +27,7 @@ inline constexpr const char* kLargest = "torus-1m";  // for the tangent solver a
 const std::vector<Model>& all_models();
 // Throws std::runtime_error, the known names listed.
 const Model& find_model(const std::string& name);
+std::vector<Model> find_models(const std::vector<std::string>& names);
 
 // named, else $PLANEWRIGHT_MESHES, else shared/meshes beside the source folder or one of those above it. An
 // empty path if there is none.

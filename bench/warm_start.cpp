@@ -26,6 +26,7 @@ void print(const std::string& name, const MeasuredRow& alone, const MeasuredRow&
 
 void measure_warm_starts(const RunOptions& options) {
   const std::filesystem::path meshes = meshes_folder(options.meshes);
+  const std::vector<Model> models = find_models(options.models);
   std::printf(
       "Iterations of Ipopt alone, and within auto, started from tangent's state and multipliers. CPU: of "
       "the\n"
@@ -33,8 +34,7 @@ void measure_warm_starts(const RunOptions& options) {
       options.limits.seconds);
   std::printf("%-16s %9s %9s %-11s %9s %9s %9s %-11s\n", "", "alone", "CPU s", "status", "in auto", "of all",
               "CPU s", "status");
-  for (const std::string& wanted : options.models) {
-    const Model& model = find_model(wanted);
+  for (const Model& model : models) {
     if (!available(model, meshes)) {
       print_skipped(model.name, "there is no " + model.file + "; name its folder with --meshes");
       continue;
