@@ -1,5 +1,5 @@
 // The frozen baselines: how Ipopt is run without this project's tuning, so that later work is measured
-// against the same. Do not change these, nor the torus's grid in main.cpp: compare against them.
+// against the same. Do not change these, nor the torus's grid (main.cpp, models.cpp): compare against them.
 #pragma once
 
 #include <memory>

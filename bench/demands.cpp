@@ -1,9 +1,8 @@
 #include "demands.h"
 
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <stdexcept>
+#include <functional>
 
 #include "core/design/design.h"
 #include "core/design/layer_solve.h"
@@ -12,73 +11,76 @@
 #include "core/mesh/sample_shapes.h"
 #include "core/solve/solver_choice.h"
 #include "table.h"
+#include "value_of.h"
 
 namespace planewright::bench {
 namespace {
 
-template <class T>
-T value_of(Result<T> result) {
-  if (!result) throw std::runtime_error(result.error().text());
-  return std::move(*result);
+// What to solve: loaded in the process that solves it.
+struct Case {
+  std::string name;
+  std::function<PolygonMesh()> mesh;
+};
+
+Case case_of(const std::string& file) {
+  return {std::filesystem::path(file).filename().string(), [file] { return value_of(load_mesh(file)).mesh; }};
 }
 
 // offset_edges: in mean panel edges.
-Row solve(const std::string& name, const PolygonMesh& mesh, LayerSettings settings, double offset_edges) {
+Measurement solve(const PolygonMesh& mesh, LayerSettings settings, double offset_edges, SolverKind kind) {
   settings.offset = 0.0;
   const double edge = value_of(build_complex(mesh, settings))->mean_edge;
   settings.offset = offset_edges * edge;
-  const auto begun = std::chrono::steady_clock::now();
-  const double cpu = cpu_seconds();
+  Measurement row;
+  const double wall = wall_seconds(), cpu = cpu_seconds();
   const auto complex = value_of(build_complex(mesh, settings));
-  Row row;
-  row.name = name;
-  row.report = value_of(solve_layer(*make_solver(SolverKind::Ipopt), {complex, settings, {}, {}, {}}, start_state(*complex, settings),
-                                    solve_options(settings), nullptr, {}));
+  const SolveReport report =
+      value_of(solve_layer(*make_solver(kind), {complex, settings, {}, {}, {}},
+                           start_state(*complex, settings), solve_options(settings), nullptr, {}));
   row.cpu = cpu_seconds() - cpu;
-  row.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
-  measure_state(row, *complex, complex->mean_edge);
+  row.wall = wall_seconds() - wall;
+  measure_report(row, report, *complex, complex->mean_edge);
   return row;
 }
 
-std::string file_name(const std::string& path) {
-  return std::filesystem::path(path).filename().string();
+void measure(const Case& each, const LayerSettings& settings, double offset, const DemandOptions& options) {
+  for (const std::string& solver : options.solvers) {
+    const SolverKind kind = value_of(find_solver(solver));
+    const auto work = [&] { return solve(each.mesh(), settings, offset, kind); };
+    print_demand_row(each.name, offset, solver, best_of(1, work, {.seconds = options.seconds}));
+  }
 }
 
 }  // namespace
 
-void measure_non_penetration(const std::vector<std::string>& files, const std::vector<double>& offsets,
-                             const std::vector<std::string>& also) {
+void measure_non_penetration(const DemandOptions& options) {
   LayerSettings settings;
   settings.demands.list = {{"vertex"}, {"face"}, {"edge"}};
-  for (const std::string& name : also) settings.demands.list.push_back({name});
+  for (const std::string& name : options.also) settings.demands.list.push_back({name});
   settings.no_penetration = true;
-  std::printf(
-      "duals with the vertex, face and edge constraints; cross: pairs of a panel and a mesh triangle\n");
-  print_head();
-  for (const double offset : offsets) {
-    const auto measure = [&](const std::string& name, const PolygonMesh& mesh) {
-      char label[64];
-      std::snprintf(label, sizeof label, "%s, offset %g", name.c_str(), offset);
-      print(solve(label, mesh, settings, offset));
-    };
-    if (files.empty()) {
-      measure("torus, 1600 vertices", make_torus(40, 40));
-      for (const char* sample : {"dome", "alpine-hut", "train-station", "train-station-unsymmetric"})
-        measure(sample, value_of(make_sample(sample, 0)));
-    }
-    for (const std::string& file : files) measure(file_name(file), value_of(load_mesh(file)).mesh);
+  std::vector<Case> cases;
+  for (const std::string& file : options.files) cases.push_back(case_of(file));
+  if (cases.empty()) {
+    cases.push_back({"torus, 1600 vertices", [] { return make_torus(40, 40); }});
+    for (const char* sample : {"dome", "alpine-hut", "train-station", "train-station-unsymmetric"})
+      cases.push_back({sample, [sample] { return value_of(make_sample(sample, 0)); }});
   }
+  std::printf(
+      "duals with the vertex, face and edge constraints; offset, rms, max: mean edges; MB: peak memory;\n"
+      "self-x: panels that cross themselves; cross: pairs of a panel and a mesh triangle that cross\n");
+  print_demand_head();
+  for (const double offset : options.offsets)
+    for (const Case& each : cases) measure(each, settings, offset, options);
 }
 
-void measure_uncrossed(const std::vector<std::string>& files) {
+void measure_uncrossed(const DemandOptions& options) {
   LayerSettings settings;
   settings.mode = ComplexKind::Planarize;
   if (const auto applied = apply(*value_of(find_preset("uncrossed")), settings); !applied)
     throw std::runtime_error(applied.error().text());
   std::printf("planarized with the preset 'uncrossed'; self-x: panels that cross themselves\n");
-  print_head();
-  for (const std::string& file : files)
-    print(solve(file_name(file), value_of(load_mesh(file)).mesh, settings, 0.0));
+  print_demand_head();
+  for (const std::string& file : options.files) measure(case_of(file), settings, 0.0, options);
 }
 
 }  // namespace planewright::bench

@@ -1,43 +1,81 @@
 #include "table.h"
 
-#include <sys/resource.h>
-
+#include <cmath>
 #include <cstdio>
 
-#include "core/diagnose/panel_shape.h"
-
 namespace planewright::bench {
+namespace {
 
-double cpu_seconds() {
-  rusage usage{};
-  ::getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& t) {
-    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+// A dash where there is nothing to tell.
+std::string number(const char* format, double value) {
+  if (!std::isfinite(value)) return "-";
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
 }
 
-void measure_state(Row& row, const TangentComplex& complex, double mean_edge) {
-  row.displacement = measure_displacement(row.report.state.x, complex.preferred);
-  row.energy = row.displacement.per_point.squaredNorm() / (mean_edge * mean_edge);
-  row.displacement.rms /= mean_edge;
-  row.displacement.max /= mean_edge;
-  const Panels panels = panels_of(complex, row.report.state);
-  row.planarity = measure_planarity(panels.points, panels.polygons);
-  row.self_crossing = static_cast<int>(find_self_crossing(panels.points, panels.polygons).size());
+// Below a row that did not end as it should.
+void print_reason(const MeasuredRow& row) {
+  if (row.end != ChildEnd::Finished)
+    std::printf("    %s\n", row.why.c_str());
+  else if (row.value.status != SolveStatus::Converged)
+    std::printf("    %s\n", row.value.reason);
+  std::fflush(stdout);
 }
 
-void print_head() {
-  std::printf("%-34s %9s %9s %6s %12s %8s %8s %9s %6s %6s  %s\n", "", "wall s", "CPU s", "iter", "energy",
-              "rms", "max", "planarity", "self-x", "cross", "status");
+// Times and memory of a row that has nothing else are the whole child's.
+double wall(const MeasuredRow& row) {
+  return row.end == ChildEnd::Finished ? row.value.wall : row.usage.wall;
+}
+double cpu(const MeasuredRow& row) {
+  return row.end == ChildEnd::Finished ? row.value.cpu : row.usage.cpu;
 }
 
-void print(const Row& row) {
-  const std::string crossings = row.report.crossings < 0 ? "-" : std::to_string(row.report.crossings);
-  std::printf("%-34s %9.2f %9.2f %6d %12.6g %8.4f %8.4f %9.1e %6d %6s  %s\n", row.name.c_str(), row.wall,
-              row.cpu, row.report.iterations, row.energy, row.displacement.rms, row.displacement.max,
-              row.planarity.max_relative_to_bbox, row.self_crossing, crossings.c_str(),
-              name(row.report.status));
+}  // namespace
+
+void print_solver_head() {
+  std::printf("%-24s %7s %8s %8s %5s %6s %8s %9s %10s %7s %7s %s\n", "", "panels", "wall s", "CPU s", "iter",
+              "MB", "residual", "planarity", "energy", "rms", "max", "status");
+}
+
+void print_solver_row(const std::string& name, const MeasuredRow& row) {
+  std::printf("%-24s ", name.c_str());
+  if (row.end == ChildEnd::Finished) {
+    const Measurement& m = row.value;
+    std::printf("%7d %8.3f %8.3f %5d %6.0f %8s %9.1e %10.6g %7.4f %7.4f", m.panels, m.wall, m.cpu,
+                m.iterations, row.usage.peak_mb, number("%.1e", m.residual).c_str(), m.planarity, m.energy,
+                m.rms, m.max);
+  } else {
+    std::printf("%7s %8.3f %8.3f %5s %6.0f %8s %9s %10s %7s %7s", "-", wall(row), cpu(row), "-",
+                row.usage.peak_mb, "-", "-", "-", "-", "-");
+  }
+  std::printf(" %s\n", verdict(row).c_str());
+  print_reason(row);
+}
+
+void print_demand_head() {
+  std::printf("%-25s %6s %-7s %7s %7s %5s %6s %6s %6s %9s %6s %5s %s\n", "", "offset", "solver", "wall s",
+              "CPU s", "iter", "MB", "rms", "max", "planarity", "self-x", "cross", "status");
+}
+
+void print_demand_row(const std::string& name, double offset, const std::string& solver,
+                      const MeasuredRow& row) {
+  std::printf("%-25s %6g %-7s ", name.c_str(), offset, solver.c_str());
+  if (row.end == ChildEnd::Finished) {
+    const Measurement& m = row.value;
+    std::printf("%7.2f %7.2f %5d %6.0f %6.3f %6.3f %9.1e %6d %5s", m.wall, m.cpu, m.iterations,
+                row.usage.peak_mb, m.rms, m.max, m.planarity, m.self_crossing,
+                m.crossings < 0 ? "-" : std::to_string(m.crossings).c_str());
+  } else {
+    std::printf("%7.2f %7.2f %5s %6.0f %6s %6s %9s %6s %5s", wall(row), cpu(row), "-", row.usage.peak_mb, "-",
+                "-", "-", "-", "-");
+  }
+  std::printf(" %s\n", verdict(row).c_str());
+  print_reason(row);
+}
+
+void print_skipped(const std::string& name, const std::string& why) {
+  std::printf("%-24s SKIPPED: %s\n", name.c_str(), why.c_str());
   std::fflush(stdout);
 }
 

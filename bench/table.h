@@ -1,30 +1,22 @@
-// What every benchmark of this program measures of a solve, and how it prints it.
+// The tables: one line per measurement, units in the head, at most 120 columns.
 #pragma once
 
 #include <string>
 
-#include "core/diagnose/planarity.h"
-#include "core/solve/solve_report.h"
+#include "measurement.h"
 
 namespace planewright::bench {
 
-// User and system time of this process so far.
-double cpu_seconds();
+// For solvers side by side.
+void print_solver_head();
+void print_solver_row(const std::string& name, const MeasuredRow& row);
 
-struct Row {
-  std::string name;
-  SolveReport report;
-  double wall = 0.0, cpu = 0.0;
-  double energy = 0.0;        // sum |x - f|^2, mean edges squared
-  Displacement displacement;  // mean edges
-  Planarity planarity;
-  int self_crossing = 0;
-};
+// For solves with demands. offset: mean panel edges.
+void print_demand_head();
+void print_demand_row(const std::string& name, double offset, const std::string& solver,
+                      const MeasuredRow& row);
 
-// Fills in what follows from report.state. complex: that it belongs to; mean_edge: model units.
-void measure_state(Row& row, const TangentComplex& complex, double mean_edge);
-
-void print_head();
-void print(const Row& row);
+// For what was not measured at all.
+void print_skipped(const std::string& name, const std::string& why);
 
 }  // namespace planewright::bench

@@ -48,7 +48,7 @@ TEST_F(SolveCommands, SampleToDualToCheckToReport) {
   EXPECT_EQ(report["tool"], "planewright");
   EXPECT_EQ(report["input"], input);
   EXPECT_EQ(report["mode"], "dual");
-  EXPECT_EQ(report["solver"], "ipopt");
+  EXPECT_NE(report["solver"], "");
   EXPECT_EQ(report["status"], "converged");
   EXPECT_GT(report["iterations"].get<int>(), 0);
   EXPECT_EQ(report["panels"], primal.mesh.vertex_count());
@@ -134,6 +134,45 @@ TEST_F(SolveCommands, OptionsReachTheSolve) {
   EXPECT_EQ(normals["freedom"], "normals");
   EXPECT_GE(normals["energies"]["position"].get<double>(),
             0.999 * plain["energies"]["position"].get<double>());
+}
+
+// Whichever solver is asked for: planar panels near the design, and a report that says who made them.
+TEST_F(SolveCommands, EverySolverMakesASmallRoofPlanar) {
+  const std::string input = sample("vault", 80);
+  double energy = 0.0;
+  for (const char* solver : {"ipopt", "tangent", "auto"}) {
+    SCOPED_TRACE(solver);
+    const Ended dual =
+        run({"dual", input, "-o", path("p.obj"), "--report", path("r.json"), "--quiet", "--solver", solver});
+    ASSERT_EQ(dual.status, 0) << dual.err;
+    EXPECT_LE(planarity_of(path("p.obj")), 1e-9);
+    const Json report = json("r.json");
+    EXPECT_EQ(report["status"], "converged");
+    ASSERT_TRUE(report["solver"].is_string());
+    EXPECT_NE(report["solver"], "");
+    const double now = report["energies"]["position"];
+    if (std::string(solver) == "ipopt") {
+      EXPECT_EQ(report["solver"], "ipopt");
+      energy = now;
+    }
+    EXPECT_LE(now, 1.05 * energy);
+  }
+}
+
+TEST_F(SolveCommands, AnUnknownSolverIsAnsweredWithTheKnownOnes) {
+  const std::string input = sample("dome", 50);
+  for (const char* command : {"dual", "panels"})
+    expect_refusal(run({command, input, "-o", path("p.obj"), "--solver", "guess"}), 2,
+                   {"--solver", "guess", "ipopt", "tangent", "auto"});
+  EXPECT_FALSE(exists("p.obj"));
+}
+
+// There is nothing to solve for.
+TEST_F(SolveCommands, ExplicitGoesWithNoSolver) {
+  const Ended refused =
+      run({"dual", sample("dome", 50), "-o", path("p.obj"), "--explicit", "--solver", "ipopt"});
+  expect_refusal(refused, 2, {"--explicit", "--solver"});
+  EXPECT_FALSE(exists("p.obj"));
 }
 
 TEST_F(SolveCommands, OffsetLiftsThePanels) {

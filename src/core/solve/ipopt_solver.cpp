@@ -73,6 +73,7 @@ class Adapter final : public Ipopt::TNLP {
         start_(std::move(start)),
         options_(options),
         own_termination_(overrides.own_termination),
+        stop_when_(overrides.stop_when),
         observer_(observer),
         stop_(std::move(stop)),
         begun_(Clock::now()),
@@ -185,6 +186,11 @@ class Adapter final : public Ipopt::TNLP {
         observer_->on_iteration(iteration, nullptr);
       }
     }
+    if (known && stop_when_ && stop_when_(now.z, now.multipliers, infeasibility)) {
+      best = now;
+      converged = true;
+      return false;
+    }
     if (own_termination_ && known && is_converged(now, infeasibility, first_order, barrier)) return false;
     // Where the design's edges run along asymptotic directions (a hypar along its rulings), the incidences
     // linearised at the start are nearly contradictory, and the first step throws the points far away.
@@ -229,7 +235,7 @@ class Adapter final : public Ipopt::TNLP {
 
   Kept best;
   int iterations = 0;
-  bool converged = false;  // by our own test
+  bool converged = false;  // by our own test, or the caller's
   bool may_start_elsewhere = true;
   bool start_elsewhere = false;  // the first step was hopeless: another start is wanted
 
@@ -303,6 +309,7 @@ class Adapter final : public Ipopt::TNLP {
   Vector start_;
   const SolveOptions& options_;
   bool own_termination_;
+  const std::function<bool(const Vector&, const Vector&, double)>& stop_when_;
   SolveObserver* observer_;
   std::stop_token stop_;
   Clock::time_point begun_;

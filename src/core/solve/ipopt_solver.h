@@ -6,6 +6,7 @@
 // the gate.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -23,6 +24,10 @@ struct IpoptOverrides {
       40;  // at most so many steps without the constraints' curvature; 0: exact from the start
   bool own_termination =
       true;  // stop by our test of first order and feasibility; false: by Ipopt's options alone
+  // A stop test of the caller's own, so that different solvers can be asked one question: called at every
+  // iterate of the problem itself (not in restoration) with z, the rows' multipliers and the infeasibility,
+  // all in the problem's units. True ends the solve at that iterate.
+  std::function<bool(const Vector& z, const Vector& multipliers, double infeasibility)> stop_when = {};
 };
 
 std::unique_ptr<Solver> make_ipopt_solver(IpoptOverrides overrides = {});

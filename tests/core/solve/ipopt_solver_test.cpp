@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/QR>
+#include <limits>
 
 #include "core/complex/explicit_intersection.h"
 #include "core/solve/projection.h"
@@ -341,6 +342,32 @@ TEST(IpoptSolver, OptionsReachIpopt) {
   const SolveReport report =
       make_ipopt_solver(overrides)->solve(*problem, initial_state(*complex), options, nullptr, {});
   EXPECT_EQ(report.iterations, 2);
+}
+
+// Asked at every iterate, in the problem's units; what it says yes to is the result.
+TEST(IpoptSolver, StopsWhereTheCallersTestIsMet) {
+  const SharedComplex complex = sample_complex("dome", 60);
+  const auto problem = problem_of(complex, {{"position", 2.0}});
+  double least = std::numeric_limits<double>::infinity();
+  Vector kept, kept_multipliers;
+  int asked = 0;
+  IpoptOverrides overrides;
+  overrides.own_termination = false;
+  overrides.stop_when = [&](const Vector& z, const Vector& multipliers, double infeasibility) {
+    ++asked;
+    EXPECT_NEAR(constraint_values(*problem, z).cwiseAbs().maxCoeff(), infeasibility, 1e-9);
+    kept = z;
+    kept_multipliers = multipliers;
+    least = std::min(least, problem->first_order_residual(z.data(), multipliers.data()));
+    return infeasibility <= 1e-6 && least <= 1e-2;
+  };
+  const SolveReport report =
+      make_ipopt_solver(overrides)->solve(*problem, initial_state(*complex), {}, nullptr, {});
+  EXPECT_EQ(asked, report.iterations + 1);
+  EXPECT_LE(least, 1e-2);
+  EXPECT_EQ(report.multipliers, kept_multipliers);
+  const State at = problem->to_state({kept.data(), static_cast<size_t>(kept.size())});
+  EXPECT_LE(distance(*complex, report.state, at), 1e-4);  // but for the projection
 }
 
 TEST(IpoptSolver, ExactStepsAloneFindAStationaryStateToo) {
