@@ -218,7 +218,8 @@ TEST_F(Layers, LayersThatCrossAreTold) {
   EXPECT_EQ(json("r.json")["layers"][0]["crosses"], (Json{{"b", 0}}));
 
   // Nobody asked, so it is no failure.
-  const Ended told = run({"dual", input, "-o", path("p.obj"), "--layers", "a=0.2,b=0.21"});
+  const Ended told =
+      run({"dual", input, "-o", path("p.obj"), "--layers", "a=0.2,b=0.21", "--solver", "ipopt"});
   EXPECT_EQ(told.status, 0) << told.err;
   EXPECT_NE(told.out.find("layer b crosses layer a: "), std::string::npos) << told.out;
 }

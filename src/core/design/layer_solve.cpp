@@ -102,7 +102,7 @@ class LayerSolver {
       if (!problem) return tl::unexpected(problem.error());
       frozen_at_ = at;
       SolveOptions options = options_;
-      options.near_solution = attempt > 1 && fresh_;
+      options.near_solution = attempt > 1 ? fresh_ : options_.near_solution;
       fresh_ = false;
       SolveReport report = solver_.solve(**problem, at, options, &observer_, stop_);
       observer_.next_round();

@@ -36,7 +36,8 @@ struct SolveSession::Impl {
 
     void on_iteration(const Iteration& iteration, const State* state) override {
       std::shared_ptr<const Iterate> iterate;
-      if (state) iterate = std::make_shared<const Iterate>(Iterate{job_.ticket, complex_, *state, iteration});
+      if (state && iteration.planar)
+        iterate = std::make_shared<const Iterate>(Iterate{job_.ticket, complex_, *state, iteration});
       session_.publish(job_.ticket, iteration, std::move(iterate));
     }
 
@@ -102,6 +103,7 @@ struct SolveSession::Impl {
       Publisher publisher(*this, job, built);
       SolveOptions options = solve_options(settings);
       options.abandoned = job.abandoned.get_token();
+      options.near_solution = warm != nullptr;
       outcome.report =
           solve_layer(solver(job.request.solver),
                       {built, settings, job.request.selections, job.request.reference, job.request.neighbour},

@@ -1,5 +1,7 @@
 // SolveSession: solves on one worker thread while the window, or the command line, goes on.
 //
+// Only planar states are handed out (Iteration::planar): what a view shows are panels, in every frame.
+//
 // A caller starts a request and gets a ticket; every later request supersedes the one before (its solve is
 // asked to stop and whatever it still produces is dropped). Complex and problem are built on the worker too,
 // so that start() returns at once. The newest iterate waits in a mailbox that holds one; scalars queue up,

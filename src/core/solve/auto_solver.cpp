@@ -44,6 +44,8 @@ class AutoSolver final : public Solver {
     if (begun.status == SolveStatus::Infeasible) return begun;
 
     SolveOptions confirming = options;
+    confirming.max_iterations -= begun.iterations;
+    if (confirming.max_iterations <= 0) return begun;
     if (usable) confirming.multipliers = begun.multipliers;
     NumbersOnly numbers(observer, begun.iterations + 1, begun.seconds);
     SolveReport confirmed = ipopt_->solve(problem, usable ? begun.state : start, confirming, &numbers, stop);

@@ -18,6 +18,9 @@ class DemandProjector {
  public:
   DemandProjector(const Problem& problem, Vector& z, TangentCache* cache)
       : problem_(problem), equations_(problem, EnergyCoupling::Dropped, cache), z_(z) {
+    // Steps keep normals unit; an interior point iterate's are so only to its tolerance.
+    if (problem.layout().freedom != Freedom::Fixed)
+      for (int i = 0; i < problem.layout().planes; ++i) z_.segment<3>(problem.layout().n(i)).normalize();
     const auto [first, last] = problem.unit_normal_rows();
     skip_.assign(static_cast<size_t>(problem.rows()), 0);
     std::fill(skip_.begin() + first, skip_.begin() + last, 1);

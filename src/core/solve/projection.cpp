@@ -41,11 +41,13 @@ class Projector {
     residual_ = residuals(x_, n_, h_);
     report.before = largest(residual_);
     double damping_factor = 1.0, ceiling = kCeiling;
+    // The merit is a sum: its share of a thousand rows damps alike at every size.
+    const double share = std::min(1.0, 1000.0 / (complex_.incidence_count() + complex_.plane_count()));
     if (freedom_ != Freedom::Fixed && report.before > target) analyse();
     while (largest(residual_) > target && report.factorisations < max_factorisations &&
            !stop.stop_requested()) {
       const double merit = residual_.squaredNorm();  // 2 Phi
-      const double damping = std::clamp(damping_factor * merit, 1e-12, ceiling);
+      const double damping = std::clamp(damping_factor * share * merit, 1e-12, ceiling);
       ++report.factorisations;
       if (!step(damping)) break;
       const Vector trial = residuals(x_trial_, n_trial_, h_trial_);
@@ -65,7 +67,7 @@ class Projector {
         if (damping >= ceiling)
           ceiling *= 8.0;
         else
-          damping_factor = std::max(damping_factor, 1e-12 / merit) * 8.0;
+          damping_factor = std::max(damping_factor, 1e-12 / (share * merit)) * 8.0;
       }
     }
     report.after = largest(residual_);

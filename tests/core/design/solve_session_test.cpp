@@ -126,7 +126,9 @@ TEST_F(SolveSessionTest, SolvesOnTheWorkerAsTheSolverDoes) {
 
   const auto problem =
       build_problem(build_complex(*wanted.mesh, wanted.settings).value(), wanted.settings).value();
-  const SolveReport same = solve(*problem, solve_options(wanted.settings));
+  const State start = start_state(problem->complex(), wanted.settings);
+  const SolveReport same =
+      make_solver(wanted.solver)->solve(*problem, start, solve_options(wanted.settings), nullptr, {});
   EXPECT_EQ(outcome.report->iterations, same.iterations);
   EXPECT_TRUE(same_bits(outcome.report->state.x, same.state.x));
   EXPECT_TRUE(same_bits(outcome.report->state.n, same.state.n));
@@ -172,14 +174,17 @@ TEST(SolveSessionStream, IteratesArriveBeforeTheOutcome) {
     changed.notify_all();
   }
   ASSERT_TRUE(outcome->report);
-  ASSERT_EQ(static_cast<int>(before.size()), outcome->report->iterations + 1);
   ASSERT_GE(before.size(), 3u);
   int different = 0;
   for (size_t k = 0; k < before.size(); ++k) {
     EXPECT_EQ(before[k]->ticket, ticket);
     EXPECT_EQ(before[k]->complex, outcome->complex);
-    EXPECT_EQ(before[k]->iteration.number, static_cast<int>(k));
-    EXPECT_EQ(before[k]->state.x.rows(), outcome->complex->point_count());
+    EXPECT_EQ(before[k]->iteration.solver, std::string("tangent"));
+    EXPECT_TRUE(before[k]->iteration.planar);
+    EXPECT_LE(off_plane(*outcome->complex, before[k]->state), 1e-9);
+    if (k > 0) {
+      EXPECT_GT(before[k]->iteration.number, before[k - 1]->iteration.number);
+    }
     different += k > 0 && !same_bits(before[k]->state.x, before[k - 1]->state.x);
   }
   EXPECT_GE(different, 2);

@@ -51,9 +51,8 @@ TEST_F(FinishSolve, AConvergedStateStaysSo) {
 
 // Planar, but a solver's word that it is stationary is not taken on trust.
 TEST_F(FinishSolve, WhatIsNotStationaryIsNotCalledConverged) {
-  for (const auto& [state, multipliers] :
-       {std::pair{perturbed(*complex, solved.state, 0.05), solved.multipliers},
-        {solved.state, no_multipliers}}) {
+  for (const Vector& multipliers : {solved.multipliers, no_multipliers}) {
+    const State state = perturbed(*complex, solved.state, 0.05);
     const SolveReport report = finished(SolveStatus::Converged, state, multipliers);
     EXPECT_EQ(report.status, SolveStatus::Planar);
     EXPECT_NE(report.stop_reason, "reason");
