@@ -8,16 +8,15 @@
 namespace planewright {
 namespace {
 
-constexpr double kIncidenceTarget = 1e-13;  // mean edges
-constexpr double kInside = 1e-8;            // how far inside its bounds an inequality aims
-constexpr double kCloseEnough = 1e-5;       // Phi below which active sets are worth their factorisations
+constexpr double kInside = 1e-8;       // how far inside its bounds an inequality aims
+constexpr double kCloseEnough = 1e-5;  // Phi below which active sets are worth their factorisations
 constexpr int kActiveSets = 4;
 constexpr double kCeiling = 1e-2, kLeastDamping = 1e-12, kMostDamping = 1e4;
 
 class DemandProjector {
  public:
-  DemandProjector(const Problem& problem, Vector& z, TangentCache* cache)
-      : problem_(problem), equations_(problem, EnergyCoupling::Dropped, cache), z_(z) {
+  DemandProjector(const Problem& problem, Vector& z, TangentCache* cache, double target)
+      : problem_(problem), equations_(problem, EnergyCoupling::Dropped, cache), z_(z), target_(target) {
     // Steps keep normals unit; an interior point iterate's are so only to its tolerance.
     if (problem.layout().freedom != Freedom::Fixed)
       for (int i = 0; i < problem.layout().planes; ++i) z_.segment<3>(problem.layout().n(i)).normalize();
@@ -88,11 +87,11 @@ class DemandProjector {
  private:
   static constexpr int kPatience = 12;  // steps that gain less than 2 % each before a stall is believed
 
-  bool finished() const { return incidence_ <= kIncidenceTarget && violation_ <= kFinished; }
+  bool finished() const { return incidence_ <= target_ && violation_ <= std::max(target_, kFinished); }
   // Equations of demands need not be met closer than rounding allows; inequalities aim inside.
   static constexpr double kFinished = 1e-12;
 
-  // Further steps with the factors of the last one, while each leaves less than kChordShare of Phi.
+  // Further steps with the factors of the last one, while each leaves less than a small share of Phi.
   void chord_steps(double& phi, const std::stop_token& stop) {
     while (!finished() && !stop.stop_requested()) {
       for (size_t row = 0; row < weights_.size(); ++row) {
@@ -106,7 +105,7 @@ class DemandProjector {
       if (step.size() == 0) return;
       const Vector trial = equations_.moved(z_, step);
       measure(trial);
-      if (!(phi_ < kChordShare * phi)) {
+      if (!(phi_ < (phi < kCloseEnough ? kNearChordShare : kFarChordShare) * phi)) {
         measure(z_);
         return;
       }
@@ -114,7 +113,8 @@ class DemandProjector {
       phi = phi_;
     }
   }
-  static constexpr double kChordShare = 0.1;
+  // Far away a new factorisation is worth more than a step that gains little.
+  static constexpr double kNearChordShare = 0.25, kFarChordShare = 0.1;
 
   double incidences() const {
     double worst = 0.0;
@@ -183,6 +183,7 @@ class DemandProjector {
   const Problem& problem_;
   TangentEquations equations_;
   Vector& z_;
+  double target_;
   std::vector<char> skip_, waived_;
   std::vector<Bounds> aim_;
   Vector values_;
@@ -196,8 +197,8 @@ class DemandProjector {
 }  // namespace
 
 DemandProjectionReport project_onto_demands(const Problem& problem, Vector& z, int max_steps,
-                                            std::stop_token stop, TangentCache* cache) {
-  return DemandProjector(problem, z, cache).run(max_steps, stop);
+                                            std::stop_token stop, TangentCache* cache, double target) {
+  return DemandProjector(problem, z, cache, target).run(max_steps, stop);
 }
 
 }  // namespace planewright

@@ -29,11 +29,14 @@ struct DemandProjectionReport {
 
 inline constexpr double kDemandTolerance = 1e-9;  // mean edges
 inline constexpr int kDemandProjectionSteps = 120;
+// Incidence violation at which a projection ends, mean edges: as close as rounding allows, and a frame that
+// is only looked at.
+inline constexpr double kRoundingTarget = 1e-13, kFrameTarget = 1e-11;
 
-// z: normalised, changed in place; each accepted step lowers Phi. max_steps: accepted steps. cache may be
-// null.
+// z: normalised, changed in place; each accepted step lowers Phi. max_steps: accepted steps, chord steps not
+// counted. cache may be null. target: mean edges.
 DemandProjectionReport project_onto_demands(const Problem& problem, Vector& z,
                                             int max_steps = kDemandProjectionSteps, std::stop_token stop = {},
-                                            TangentCache* cache = nullptr);
+                                            TangentCache* cache = nullptr, double target = kRoundingTarget);
 
 }  // namespace planewright

@@ -52,7 +52,8 @@ void PlanarFrames::hand_out(const Vector& z, double first_order, double step, bo
   std::optional<State> state;
   if (with_state) {
     Vector frame = z;
-    const DemandProjectionReport report = project_onto_demands(problem_, frame, kMostSteps, stop_, &cache_);
+    const DemandProjectionReport report =
+        project_onto_demands(problem_, frame, kMostSteps, stop_, &cache_, kFrameTarget);
     // Demands may be out of reach here; planar is what a frame has to be.
     iteration.planar = report.planar;
     if (report.planar) {

@@ -18,8 +18,9 @@ constexpr double kSoftEquations = 1e4, kStiffEquations = 1e7, kInequalities = 1e
 constexpr double kStraightEquations = 1e6;
 constexpr double kShortStep = 0.05, kLongStep = 0.3, kLongestStep = 0.6;  // mean edges, radians
 constexpr double kMeritPenalty = 100.0;
-constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-6, kMostDamping = 1e9;
+constexpr double kLeastDamping = 1e-6, kMostDamping = 1e9;
 constexpr double kTowardsHere = 1e-6;                     // keeps points in place that no energy pulls
+constexpr double kPointShare = 0.1;                       // of the planes' damping that points get
 constexpr double kFirstShare = 0.05, kLeastShare = 0.02;  // of the curvature
 constexpr int kForget = 6;                                // steps
 constexpr int kMostTries = 40;                            // factorisations for one step
@@ -58,7 +59,8 @@ class PrimalDualNewton {
         hold_(problem, z),
         share_(1.0 / problem.largest_weight()),
         points_(3 * problem.layout().points),
-        gauss_newton_(options.begin_gauss_newton) {
+        gauss_newton_(options.begin_gauss_newton),
+        damping_(options.damping) {
     rows_.equations = gauss_newton_ ? kStraightEquations : kSoftEquations;
     rows_.inequalities = kInequalities;
     rows_.multipliers = multipliers;
@@ -88,6 +90,7 @@ class PrimalDualNewton {
     }
     keep_best();
     multipliers_ = rows_.multipliers;
+    report_.damping = damping_;
     return report_;
   }
 
@@ -212,7 +215,8 @@ class PrimalDualNewton {
         report_.end = NewtonEnd::Stopped;
         return false;
       }
-      const double on_points = kTowardsHere + (hold_.active() ? hold_.curvature() : 0.0);
+      const double on_points =
+          kTowardsHere + kPointShare * damping_ + (hold_.active() ? hold_.curvature() : 0.0);
       ++report_.factorisations;
       if (!equations_->factorise({on_points, damping_})) {
         if (equations_->out_of_memory()) {
@@ -311,9 +315,11 @@ class PrimalDualNewton {
     const bool energy_falls = now.energy < (1.0 - kFlat) * then.energy;
     // Within sight of the end, short of it: let it get there.
     const bool slope_falls = now.slope < 0.1 * then.slope || now.slope <= 30.0 * options_.first_order;
-    return !energy_falls && !slope_falls && static_cast<int>(n) >= kPatience;
+    return !energy_falls && !slope_falls &&
+           static_cast<int>(n) >= (problem_.has_demands() ? kDemandPatience : kPatience);
   }
-  static constexpr int kPatience = 10;
+  // Intervals before flatness is believed. Active sets that go on changing seldom end by themselves.
+  static constexpr int kPatience = 10, kDemandPatience = 6;
 
   // A solve that did not converge gives the best that it saw.
   void keep_best() {
@@ -344,7 +350,7 @@ class PrimalDualNewton {
   bool gauss_newton_, too_large_ = false;
   double indefinite_at_ = std::numeric_limits<double>::infinity();  // share of the curvature
   int since_indefinite_ = 0;
-  double damping_ = kFirstDamping, curvature_ = kFirstShare, violation_ = 0.0;
+  double damping_, curvature_ = kFirstShare, violation_ = 0.0;
   Vector values_, trial_values_;
   std::vector<double> weights_, slopes_, merit_slopes_;
   std::vector<char> active_;  // #rows, inequalities that push

@@ -47,11 +47,15 @@ struct NewtonOptions {
   // End early (NewtonEnd::NotStraight) if Gauss-Newton steps alone do not converge from here: the first one
   // leaves a row violated by much, or a later one does not shrink the slope. Another start is better then.
   bool only_straight = false;
+  // Levenberg-Marquardt damping of the first step. Too little costs a rejected factorisation per factor of 4
+  // to 64, too much only shortens a step.
+  double damping = 1e-2;
 };
 
 struct NewtonReport {
   NewtonEnd end = NewtonEnd::StepLimit;
   int steps = 0, factorisations = 0;
+  double damping = 0.0;  // of the last accepted step's successor: where a warm start from here begins
   double infeasibility = 0.0, first_order = 0.0;  // at the end
 };
 

@@ -82,7 +82,7 @@ class TangentSolver final : public Solver {
     run.frames.tell_start(run.z);
     if (problem.has_demands() ? begins_near(run) : run.options.near_solution) {
       recall(problem, run.multipliers);
-      newton(run, report, true);
+      newton(run, report, Start::Near);
       return;
     }
     if (!problem.has_demands() && straight(run, report)) return;
@@ -91,7 +91,7 @@ class TangentSolver final : public Solver {
     } else {
       soften(run, kSoftSteps, kAttempts[0].most_penalty);
     }
-    newton(run, report, false);
+    newton(run, report, Start::Valley);
   }
 
   // Whether the start (almost) meets every demand, moved there.
@@ -119,7 +119,8 @@ class TangentSolver final : public Solver {
       run.multipliers.setZero();
       return false;
     }
-    conclude(newton, report);
+    damping_ = newton.damping;
+    conclude(run, newton, report);
     return true;
   }
 
@@ -161,6 +162,9 @@ class TangentSolver final : public Solver {
 
   int steps_left(const Run& run) const { return std::max(0, run.options.max_iterations - run.frames.told()); }
 
+  // A result of nearly the same problem, or what the augmented Lagrangian found.
+  enum class Start { Near, Valley };
+
   NewtonOptions newton_options(const Run& run) const {
     NewtonOptions options;
     options.max_steps = steps_left(run);
@@ -168,9 +172,12 @@ class TangentSolver final : public Solver {
     return options;
   }
 
-  void newton(Run& run, SolveReport& report, bool begin_gauss_newton) {
+  void newton(Run& run, SolveReport& report, Start start) {
     NewtonOptions options = newton_options(run);
-    options.begin_gauss_newton = begin_gauss_newton;
+    if (start == Start::Near) {
+      options.begin_gauss_newton = true;
+      options.damping = std::max(options.damping, damping_);
+    }
     NewtonReport newton =
         minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
     // Where planes are nearly parallel, what rows still miss moves points far, and with them the slope: then
@@ -190,11 +197,12 @@ class TangentSolver final : public Solver {
       newton =
           minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
     }
-    conclude(newton, report);
+    damping_ = newton.damping;
+    conclude(run, newton, report);
   }
   static constexpr int kPolishingRounds = 3;
 
-  static void conclude(const NewtonReport& newton, SolveReport& report) {
+  static void conclude(const Run& run, const NewtonReport& newton, SolveReport& report) {
     switch (newton.end) {
       case NewtonEnd::Converged:
         report.status = SolveStatus::Converged;
@@ -208,7 +216,8 @@ class TangentSolver final : public Solver {
         return;
       case NewtonEnd::StepLimit:
         report.status = SolveStatus::Planar;
-        report.stop_reason = "the limit of steps was reached";
+        report.stop_reason =
+            "the limit of " + std::to_string(run.options.max_iterations) + " iterations was reached";
         return;
       case NewtonEnd::Stopped:
         report.status = SolveStatus::Stopped;
@@ -244,7 +253,8 @@ class TangentSolver final : public Solver {
   }
 
   TangentCache cache_;
-  Vector multipliers_;
+  Vector multipliers_;    // f relative to the largest weight
+  double damping_ = 0.0;  // that the last solve ended with
   std::vector<int> remembered_rows_;
 };
 

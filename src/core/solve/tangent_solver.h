@@ -4,12 +4,10 @@
 // milliseconds where the general solver takes seconds, and exactly planar panels in every frame
 // (planar_frames.h).
 //
-//   1. Gauss-Newton steps straight from the start, where the linearisation holds there (smooth designs, and
-//   every
-//      solve that starts at the result of one of nearly the same problem).
+//   1. Gauss-Newton steps straight from the start, where the linearisation holds there: smooth designs, and
+//      every solve that starts at the result of one of nearly the same problem.
 //   2. Otherwise, and with demands, an augmented Lagrangian first (augmented_lagrangian.h): softly held rows
-//   find
-//      their way past folds that stiff ones get caught in.
+//      find their way past folds that stiff ones get caught in.
 //   3. Primal-dual Newton steps to the end (primal_dual_newton.h), for energies and demands alike.
 //   4. A projection onto all rows, planarity to rounding (demand_projection.h), and multipliers at that
 //   state.
@@ -23,7 +21,8 @@
 
 namespace planewright {
 
-// The returned solver keeps analyses and multipliers between solves: use it for one design at a time.
+// The returned solver keeps analyses, multipliers and the damping between solves: use it for one design at a
+// time.
 std::unique_ptr<Solver> make_tangent_solver();
 
 }  // namespace planewright
