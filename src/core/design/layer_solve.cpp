@@ -96,6 +96,7 @@ class LayerSolver {
     separations_.clear();
     best_ = std::numeric_limits<double>::infinity();
     best_report_.reset();
+    draft_ = settings_.no_penetration;
     for (int attempt = 1;; ++attempt) {
       FrozenGeometry frozen{&at, layer_.reference, layer_.neighbour, separations_};
       const auto problem = build_problem(layer_.complex, settings_, layer_.selections, frozen);
@@ -103,18 +104,20 @@ class LayerSolver {
       frozen_at_ = at;
       SolveOptions options = options_;
       options.near_solution = attempt > 1 ? fresh_ : options_.near_solution;
+      options.draft = draft_ && (*problem)->has_demands();
       fresh_ = false;
       SolveReport report = solver_.solve(**problem, at, options, &observer_, stop_);
       observer_.next_round();
       report.iterations = iterations_ += report.iterations;
       report.seconds = seconds_ += report.seconds;
       report.rounds = ++rounds_;
-      const bool last = attempt == kMostRounds || stop_.stop_requested();
+      const bool last = attempt >= kMostRounds || stop_.stop_requested();
 
       if (report.status == SolveStatus::Infeasible && !last && gives_up_ &&
           give_up_violated(**problem, report)) {
         at = start_;  // so that the same solve without the conflicts gives the same result
         separations_.clear();
+        draft_ = settings_.no_penetration;
         continue;
       }
       const bool still_moves = usable(report) && ((follows_surface_ && follows_on(at, report)) ||
@@ -133,7 +136,14 @@ class LayerSolver {
       std::vector<Crossing> crossings = crossings_of(report.state);
       report.crossings = static_cast<int>(crossings.size());
       report.crossings_waived = static_cast<int>(leave_out_waived(crossings));
-      if (crossings.empty() || !usable(report)) return report;
+      if (!usable(report)) return report;
+      if (crossings.empty()) {
+        if (!options.draft || stop_.stop_requested()) return report;
+        draft_ = false;
+        at = report.state;
+        fresh_ = true;
+        continue;
+      }
       if (!last && attempt < kMostRounds - kRoundsForConflicts) {
         separate(crossings);
         at = report.state;
@@ -142,6 +152,7 @@ class LayerSolver {
         give_up_crossing(crossings);
         at = start_;
         separations_.clear();
+        draft_ = true;
       } else {
         report.status = SolveStatus::Infeasible;
         report.stop_reason =
@@ -311,7 +322,9 @@ class LayerSolver {
   std::stop_token stop_;
   std::set<Waiver> asked_, conflicts_;
   std::vector<Separation> separations_;
-  State frozen_at_;     // where the last round's geometry was taken
+  State frozen_at_;  // where the last round's geometry was taken
+  // What crosses the mesh is found and parted by drafts; the energy is brought down once nothing crosses.
+  bool draft_ = false;
   bool fresh_ = false;  // the round begins at the result of the one before
   bool follows_surface_ = false, follows_border_ = false, gives_up_ = true;
   int rounds_ = 0, iterations_ = 0;

@@ -41,7 +41,8 @@ class AutoSolver final : public Solver {
     if (begun.status == SolveStatus::Stopped) return begun;
     const bool usable = begun.status == SolveStatus::Converged || begun.status == SolveStatus::Planar;
     // Demands that the tangent solver could not meet, Ipopt, which begins in the same way, cannot either.
-    if (begun.status == SolveStatus::Infeasible) return begun;
+    if (begun.status == SolveStatus::Infeasible || (usable && options.draft && problem.has_demands()))
+      return begun;
 
     SolveOptions confirming = options;
     confirming.max_iterations -= begun.iterations;

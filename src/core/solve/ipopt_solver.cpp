@@ -408,12 +408,19 @@ class IpoptSolver final : public Solver {
       demands =
           find_demand_start(problem, z, {options.max_iterations, options.near_solution}, observer, stop);
       // Not met, or nobody waits: Ipopt would only spend longer on the same.
-      if (!demands->met || stop.stop_requested()) {
+      if (!demands->met || stop.stop_requested() || options.draft) {
         SolveReport report;
         report.solver = "ipopt";
-        report.status = stop.stop_requested() ? SolveStatus::Stopped : SolveStatus::Infeasible;
-        report.stop_reason =
-            stop.stop_requested() ? "stopped by the user" : "the demands could not be met together from here";
+        if (stop.stop_requested()) {
+          report.status = SolveStatus::Stopped;
+          report.stop_reason = "stopped by the user";
+        } else if (demands->met) {
+          report.status = SolveStatus::Planar;
+          report.stop_reason = kDraftReason;
+        } else {
+          report.status = SolveStatus::Infeasible;
+          report.stop_reason = "the demands could not be met together from here";
+        }
         report.iterations = demands->steps;
         finish_solve(problem, demands->z, Vector::Zero(problem.rows()), options, report);
         report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();

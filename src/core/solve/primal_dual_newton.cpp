@@ -39,7 +39,9 @@ constexpr double kSmooth = 1e-2;
 constexpr double kNearlyThere = 10.0;
 // Every so many steps the energy of the projected state is compared.
 constexpr int kFlatInterval = 10, kFlatSpan = 2;
-constexpr double kFlat = 1e-3;  // relative fall of the energy over kFlatSpan intervals
+// Demands make the projection dear (twenty factorisations and more).
+constexpr int kDemandInterval = 20, kDemandSpan = 1;
+constexpr double kFlat = 1e-3;  // relative fall of the energy over the span of intervals
 constexpr double kRounding = 1e-12;
 // Share of the tolerance below which further steps would only shuffle the last digits.
 constexpr double kFarBelow = 1e-4;
@@ -86,7 +88,8 @@ class PrimalDualNewton {
       if (report_.end != NewtonEnd::StepLimit || !take_step()) break;
       if (options_.only_straight && report_.steps == 1 && violation_ > kSmooth)
         report_.end = NewtonEnd::NotStraight;
-      if (report_.steps % kFlatInterval == 0 && is_flat()) report_.end = NewtonEnd::Flat;
+      if (report_.steps % (problem_.has_demands() ? kDemandInterval : kFlatInterval) == 0 && is_flat())
+        report_.end = NewtonEnd::Flat;
     }
     keep_best();
     multipliers_ = rows_.multipliers;
@@ -298,6 +301,7 @@ class PrimalDualNewton {
   // cannot say it (rows that depend on each other leave multipliers open), and the best is what is kept then.
   bool is_flat() {
     if (report_.steps < options_.max_steps && report_.steps < kFlatSpan * kFlatInterval) return false;
+    const size_t span = problem_.has_demands() ? kDemandSpan : kFlatSpan;
     Vector projected = z_;
     const DemandProjectionReport projection =
         project_onto_demands(problem_, projected, kDemandProjectionSteps, stop_, &cache_);
@@ -310,8 +314,8 @@ class PrimalDualNewton {
     }
     checkpoints_.push_back({best_energy_, report_.first_order});
     const size_t n = checkpoints_.size();
-    if (n <= kFlatSpan) return false;
-    const Checkpoint &then = checkpoints_[n - 1 - kFlatSpan], &now = checkpoints_[n - 1];
+    if (n <= span) return false;
+    const Checkpoint &then = checkpoints_[n - 1 - span], &now = checkpoints_[n - 1];
     const bool energy_falls = now.energy < (1.0 - kFlat) * then.energy;
     // Within sight of the end, short of it: let it get there.
     const bool slope_falls = now.slope < 0.1 * then.slope || now.slope <= 30.0 * options_.first_order;
@@ -319,7 +323,7 @@ class PrimalDualNewton {
            static_cast<int>(n) >= (problem_.has_demands() ? kDemandPatience : kPatience);
   }
   // Intervals before flatness is believed. Active sets that go on changing seldom end by themselves.
-  static constexpr int kPatience = 10, kDemandPatience = 6;
+  static constexpr int kPatience = 10, kDemandPatience = 3;
 
   // A solve that did not converge gives the best that it saw.
   void keep_best() {

@@ -10,6 +10,9 @@
 
 namespace planewright {
 
+// Of a solve with SolveOptions::draft.
+inline constexpr const char* kDraftReason = "a draft: the demands are met, the energy may still fall";
+
 enum class SolveStatus {
   Converged,   // feasible and first-order stationary to the tolerances
   Planar,      // the panels are planar, but the energy was still moving: stopped by a limit or a stall

@@ -1,4 +1,5 @@
-// Solver: the interface behind which Ipopt (and later the tangent solver) work on the same Problem.
+// Solver: the interface behind which the tangent solver, Ipopt, and both after each other work on the same
+// Problem.
 //
 // Threads: a solver object is used by one thread at a time; the stop token may be triggered from any other.
 #pragma once
@@ -21,6 +22,8 @@ struct SolveOptions {
   // Multipliers at the start, of another solver that has just solved this very problem
   // (SolveReport::multipliers): Ipopt then begins with its exact Hessian and next to no barrier. Empty: none.
   Vector multipliers = {};
+  // Of a problem with demands: end as soon as they are met, a few percent above the lowest energy (Planar).
+  bool draft = false;
   std::stop_token abandoned;  // nobody wants the result any more: end without the final projection
 };
 

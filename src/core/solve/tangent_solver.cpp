@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <new>
 
@@ -28,6 +29,7 @@ struct Attempt {
   double most_penalty;
 };
 constexpr Attempt kAttempts[] = {{26, 3e3}, {60, 1e4}, {120, 1e4}};
+constexpr int kAttemptsNearSolution = 2;  // low in energy already: what these do not meet, more seldom do
 // A projection that moves a point farther than this, edges, has left the solution that it was near to.
 constexpr double kNear = 0.5;
 // Share of the tolerance at which steps end, so that the projection afterwards has room.
@@ -50,6 +52,8 @@ class TangentSolver final : public Solver {
     try {
       minimise(run, report);
       report.iterations = run.frames.told();
+      // What was shown last is planar already: whoever stops does not wait for another projection.
+      if (report.status == SolveStatus::Stopped && run.frames.newest()) run.z = *run.frames.newest();
       finish_solve(problem, run.z, run.multipliers / share(problem), options, report, &cache_);
       remember(problem, report);
     } catch (const std::bad_alloc&) {
@@ -82,12 +86,12 @@ class TangentSolver final : public Solver {
     run.frames.tell_start(run.z);
     if (problem.has_demands() ? begins_near(run) : run.options.near_solution) {
       recall(problem, run.multipliers);
-      newton(run, report, Start::Near);
+      if (!drafted(run, report)) newton(run, report, Start::Near);
       return;
     }
     if (!problem.has_demands() && straight(run, report)) return;
     if (problem.has_demands()) {
-      if (!find_demands(run, report)) return;
+      if (!find_demands(run, report) || drafted(run, report)) return;
     } else {
       soften(run, kSoftSteps, kAttempts[0].most_penalty);
     }
@@ -102,6 +106,13 @@ class TangentSolver final : public Solver {
         project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_);
     if (!projection.met || projection.move > kNear) return false;
     run.z = projected;
+    return true;
+  }
+
+  static bool drafted(const Run& run, SolveReport& report) {
+    if (!run.options.draft || !run.problem.has_demands()) return false;
+    report.status = SolveStatus::Planar;
+    report.stop_reason = kDraftReason;
     return true;
   }
 
@@ -141,7 +152,9 @@ class TangentSolver final : public Solver {
   // Softly held demands, until a projection meets them all. False if none does.
   bool find_demands(Run& run, SolveReport& report) {
     Vector projected;
+    int left = run.options.near_solution ? kAttemptsNearSolution : static_cast<int>(std::size(kAttempts));
     for (const Attempt& attempt : kAttempts) {
+      if (left-- == 0) break;
       const AugmentedLagrangianReport softened = soften(run, attempt.steps, attempt.most_penalty);
       if (softened.out_of_memory) throw std::bad_alloc();
       if (run.stop.stop_requested()) {
