@@ -16,9 +16,11 @@ namespace {
 constexpr double kSoftEquations = 1e4, kStiffEquations = 1e7, kInequalities = 1e3;
 // Of Gauss-Newton steps where the linearisation holds: the energy is right from the first step.
 constexpr double kStraightEquations = 1e6;
-constexpr double kShortStep = 0.05, kLongStep = 0.3, kLongestStep = 0.6;  // mean edges, radians
-constexpr double kMeritPenalty = 100.0;
+constexpr double kShortStep = 0.1, kLongStep = 0.3, kLongestStep = 0.6;  // mean edges, radians
+constexpr double kMeritPenalty = 30.0;
 constexpr double kLeastDamping = 1e-6, kMostDamping = 1e9;
+// Less than this seldom helps where a step was rejected: one try instead of three.
+constexpr double kDampingAfterRejection = 0.1;
 constexpr double kTowardsHere = 1e-6;                     // keeps points in place that no energy pulls
 constexpr double kPointShare = 0.1;                       // of the planes' damping that points get
 constexpr double kFirstShare = 0.05, kLeastShare = 0.02;  // of the curvature
@@ -256,7 +258,11 @@ class PrimalDualNewton {
         }
       }
       if (damping_ >= kMostDamping) break;
-      damping_ = std::max(damping_ * raise, 1e-4);
+      if (options_.only_straight && report_.steps == 0) {
+        report_.end = NewtonEnd::NotStraight;
+        return false;
+      }
+      damping_ = std::max(damping_ * raise, kDampingAfterRejection);
       raise *= 2.0;
     }
     report_.end = finite ? NewtonEnd::NoStep : NewtonEnd::NotFinite;

@@ -45,7 +45,8 @@ struct NewtonOptions {
   // The start is a solution but for the last digits: full curvature and stiff equations at once.
   bool at_solution = false;
   // End early (NewtonEnd::NotStraight) if Gauss-Newton steps alone do not converge from here: the first one
-  // leaves a row violated by much, or a later one does not shrink the slope. Another start is better then.
+  // is rejected or leaves a row violated by much, or a later one does not shrink the slope. Another start is
+  // better then.
   bool only_straight = false;
   // Levenberg-Marquardt damping of the first step. Too little costs a rejected factorisation per factor of 4
   // to 64, too much only shortens a step.

@@ -20,7 +20,7 @@ TangentPattern::TangentPattern(const Problem& problem, EnergyCoupling coupling)
     : coupling_(coupling), points_(problem.layout().points), planes_(problem.layout().planes) {
   read_rows(energies_, problem.residual_pattern(), problem.residuals(), {0, 0});
   read_rows(constraints_, problem.jacobian_pattern(), problem.rows(), problem.unit_normal_rows());
-  choose_eliminated(coupling);
+  choose_eliminated();
   find_couplings();
   find_kept_blocks();
   assign_pairs();
@@ -30,8 +30,8 @@ bool TangentPattern::fits(const Problem& problem, EnergyCoupling coupling) const
   const auto same = [](const SparsePattern& a, const SparsePattern& b) {
     return a.columns == b.columns && a.rows == b.rows;
   };
-  return coupling == coupling_ && points_ == problem.layout().points && planes_ == problem.layout().planes &&
-         same(energies_.pattern, problem.residual_pattern()) &&
+  return (coupling == coupling_ || !energies_couple_) && points_ == problem.layout().points &&
+         planes_ == problem.layout().planes && same(energies_.pattern, problem.residual_pattern()) &&
          same(constraints_.pattern, problem.jacobian_pattern());
 }
 
@@ -81,15 +81,15 @@ void TangentPattern::for_each_pair(Visit visit) const {
     }
 }
 
-void TangentPattern::choose_eliminated(EnergyCoupling) {
+void TangentPattern::choose_eliminated() {
   std::vector<char> keep(static_cast<size_t>(nodes()), 0);
   std::fill(keep.begin() + points_, keep.end(), 1);
   std::vector<int> met(static_cast<size_t>(points_), 0);  // rows with a plane: at least its neighbours
   for_each_pair([&](const RowSet& set, int later, int earlier) {
     if (later == earlier) return;
-    if (drops(set, later, earlier)) {
-      ++dropped_;
-    } else if (later < points_) {
+    energies_couple_ = energies_couple_ || couples_points(set, later, earlier);
+    if (drops(set, later, earlier)) return;
+    if (later < points_) {
       keep[static_cast<size_t>(later)] = keep[static_cast<size_t>(earlier)] = 1;
     } else if (earlier < points_) {
       ++met[static_cast<size_t>(earlier)];

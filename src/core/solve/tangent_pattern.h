@@ -32,10 +32,11 @@ class TangentPattern {
  public:
   TangentPattern(const Problem& problem, EnergyCoupling coupling);
 
-  // Whether it is the pattern of this problem too.
+  // Whether it is the pattern of this problem too. Where no energy couples points, both couplings are the
+  // same.
   bool fits(const Problem& problem, EnergyCoupling coupling) const;
   // Whether energies couple points and those couplings are missing.
-  bool incomplete() const { return dropped_ > 0; }
+  bool incomplete() const { return coupling_ == EnergyCoupling::Dropped && energies_couple_; }
 
   // The rows of one kind (residuals or constraints): which nodes each touches.
   struct RowSet {
@@ -82,7 +83,7 @@ class TangentPattern {
 
  private:
   void read_rows(RowSet& set, const SparsePattern& pattern, int rows, std::pair<int, int> skipped);
-  void choose_eliminated(EnergyCoupling coupling);
+  void choose_eliminated();
   void find_couplings();
   void find_kept_blocks();
   void assign_pairs();
@@ -91,13 +92,16 @@ class TangentPattern {
   // Calls visit(set, later node, earlier node) for every pair of nodes of every row.
   template <class Visit>
   void for_each_pair(Visit visit) const;
+  bool couples_points(const RowSet& set, int later, int earlier) const {
+    return &set == &energies_ && later < points_ && later != earlier;
+  }
   bool drops(const RowSet& set, int later, int earlier) const {
-    return coupling_ == EnergyCoupling::Dropped && &set == &energies_ && later < points_ && later != earlier;
+    return coupling_ == EnergyCoupling::Dropped && couples_points(set, later, earlier);
   }
 
   EnergyCoupling coupling_;
   int points_, planes_;
-  int dropped_ = 0;
+  bool energies_couple_ = false;  // points
   RowSet energies_, constraints_;
   std::vector<int> kept_index_;  // #nodes: place among kept nodes, or -1 - place among eliminated ones
   std::vector<int> kept_nodes_, eliminated_points_;
