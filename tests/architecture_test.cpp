@@ -147,7 +147,7 @@ TEST(Architecture, OnlyTheIpoptSolverIncludesIpopt) {
 TEST(Architecture, OnlyTheFactorisationIncludesMumps) {
   for (const Include& include : includes()) {
     if (include.header.find("mumps_c.h") == std::string::npos) continue;
-    EXPECT_EQ(include.file, "core/solve/sparse_cholesky.cpp") << place(include);
+    EXPECT_EQ(include.file, "core/solve/mumps_cholesky.cpp") << place(include);
   }
 }
 

@@ -88,7 +88,7 @@ Result<std::shared_ptr<const Problem>> Problem::create(std::shared_ptr<const Tan
                                                        const FrozenGeometry& frozen) {
   std::shared_ptr<Problem> problem(new Problem);
   problem->complex_ = complex;
-  problem->layout_ = {complex->point_count(), complex->plane_count(), settings.freedom};
+  problem->layout_ = {complex->point_count(), complex->plane_count(), settings.freedom, settings.outside};
   problem->centre_ = complex->preferred.colwise().mean();
   problem->scale_ = complex->mean_edge;
   problem->normalised_ = normalise(*complex, problem->centre_, problem->scale_);
@@ -109,6 +109,7 @@ Result<std::shared_ptr<const Problem>> Problem::create(std::shared_ptr<const Tan
   if (auto added = problem->add_demands(settings, frozen); !added) return tl::unexpected(added.error());
   problem->assemble();
   problem->waive(settings.demands.waived);
+  problem->find_inert_rows();
   if (auto possible = check_contradictions(*problem); !possible) return tl::unexpected(possible.error());
   return std::shared_ptr<const Problem>(std::move(problem));
 }
@@ -139,7 +140,9 @@ Result<void> Problem::add_energies(const ProblemSettings& settings, const Frozen
     const auto weight = settings.weights.find(info.name);
     if (weight == settings.weights.end() || weight->second == 0.0) continue;
     auto energy = info.make(context);
-    const double factor = energy->terms() > 0 ? weight->second * layout_.points / energy->terms() : 0.0;
+    double factor = energy->terms() > 0 ? weight->second * layout_.points / energy->terms() : 0.0;
+    if (const auto whole = settings.factors.find(info.name); whole != settings.factors.end())
+      factor = whole->second;
     energies_.push_back({std::move(energy), weight->second, factor});
   }
   return {};
@@ -372,6 +375,20 @@ void Problem::residual_jacobian(const double* z, double* out) const {
 
 State Problem::normalised_state(const State& state) const {
   return {(state.x.rowwise() - centre_.transpose()) / scale_, state.n, state.h / scale_};
+}
+
+void Problem::find_inert_rows() {
+  if (layout_.outside.empty()) return;
+  inert_.assign(static_cast<size_t>(rows_), 1);
+  for (int slot = 0; slot < jacobian_.size(); ++slot)
+    if (layout_.is_free(jacobian_.columns[static_cast<size_t>(slot)]))
+      inert_[static_cast<size_t>(jacobian_.rows[static_cast<size_t>(slot)])] = 0;
+}
+
+std::map<std::string, double> Problem::energy_factors() const {
+  std::map<std::string, double> factors;
+  for (const EnergyTerm& term : energies_) factors[std::string(term.energy->name())] = term.factor;
+  return factors;
 }
 
 Vector Problem::from_state(const State& state) const {

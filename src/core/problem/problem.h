@@ -41,6 +41,11 @@ struct ProblemSettings {
   Demands demands = {};
   std::vector<Selection> selections = {};  // that the demands name
   double side = 1.0;                       // +1: the layer lies outside the mesh, -1: inside
+  // A local problem on a patch of a larger complex (core/advise): Layout::outside, and what each energy's sum
+  // is multiplied with there, so that it weighs what it does in the whole (Problem::energy_factors). Empty:
+  // neither.
+  std::vector<char> outside = {};
+  std::map<std::string, double> factors = {};
 };
 
 // Row and column of each value slot.
@@ -108,6 +113,11 @@ class Problem {
   // The slot of each unknown's own diagonal entry (#z); every one is in the pattern.
   const std::vector<int>& hessian_diagonal() const { return hessian().diagonal; }
 
+  // w X / N of each energy with a weight, by name.
+  std::map<std::string, double> energy_factors() const;
+  // Rows that no free unknown enters (#rows), which only a local problem has; empty: none.
+  const std::vector<char>& inert_rows() const { return inert_; }
+
   double largest_weight() const { return largest_weight_; }  // 1 if every weight is 0
 
   // What each energy with a weight contributes to f at z, in catalogue order.
@@ -143,6 +153,7 @@ class Problem {
   void add_constraint(std::unique_ptr<Constraint> constraint);
   void assemble();
   void waive(const std::vector<Waiver>& waivers);
+  void find_inert_rows();
   const Constraint& family(int row, int& row_in_family) const;
 
   struct EnergyTerm {
@@ -179,6 +190,7 @@ class Problem {
   std::vector<ConstraintTerm> constraints_;
   std::vector<Bounds> bounds_;
   std::vector<char> given_up_;  // #rows
+  std::vector<char> inert_;     // #rows, or empty
   SparsePattern jacobian_, residual_pattern_;
   mutable std::once_flag hessian_made_;
   mutable Hessian hessian_;

@@ -34,8 +34,8 @@ class AugmentedLagrangian {
         share_(1.0 / problem.largest_weight()),
         values_(problem.rows()) {
     rows_.equations = rows_.inequalities = kFirstPenalty;
-    if (problem.layout().freedom != Freedom::Fixed)
-      for (int i = 0; i < problem.layout().planes; ++i) z_.segment<3>(problem.layout().n(i)).normalize();
+    for (int i = 0; i < problem.layout().planes; ++i)
+      if (problem.layout().is_free(problem.layout().n(i))) z_.segment<3>(problem.layout().n(i)).normalize();
     equations_.set_iterative_tolerance(kIterativeTolerance);
   }
 

@@ -18,10 +18,11 @@ class DemandProjector {
   DemandProjector(const Problem& problem, Vector& z, TangentCache* cache, double target)
       : problem_(problem), equations_(problem, EnergyCoupling::Dropped, cache), z_(z), target_(target) {
     // Steps keep normals unit; an interior point iterate's are so only to its tolerance.
-    if (problem.layout().freedom != Freedom::Fixed)
-      for (int i = 0; i < problem.layout().planes; ++i) z_.segment<3>(problem.layout().n(i)).normalize();
+    for (int i = 0; i < problem.layout().planes; ++i)
+      if (problem.layout().is_free(problem.layout().n(i))) z_.segment<3>(problem.layout().n(i)).normalize();
     const auto [first, last] = problem.unit_normal_rows();
-    skip_.assign(static_cast<size_t>(problem.rows()), 0);
+    skip_ = problem.inert_rows();
+    skip_.resize(static_cast<size_t>(problem.rows()), 0);
     std::fill(skip_.begin() + first, skip_.begin() + last, 1);
     for (int row = 0; row < problem.rows(); ++row) {
       Bounds bounds = problem.bounds(row);

@@ -20,8 +20,9 @@ namespace planewright {
 
 struct DemandProjectionReport {
   double incidence = 0.0;  // largest violation of an equation afterwards, mean edges or unit-free
-  double violation = 0.0;  // largest violation of any row but the unit normals, mean edges or unit-free
-  double move = 0.0;       // farthest that a point moved, mean edges
+  // Largest violation of any row but the unit normals and those that cannot change, mean edges or unit-free.
+  double violation = 0.0;
+  double move = 0.0;  // farthest that a point moved, mean edges
   int steps = 0, factorisations = 0;
   bool met = false;     // every row within kDemandTolerance
   bool planar = false;  // every incidence is, demands or not

@@ -12,7 +12,7 @@ namespace {
 
 // A user who stops does not want to wait: so many steps of the projection reach planar panels from most
 // iterates.
-constexpr int kStepsAfterStop = 12;
+constexpr int kStepsAfterStop = 40;
 
 // The constraint violated most, as "incidence, by 0.0021 edges".
 std::string worst_constraint(const std::vector<Problem::ConstraintViolation>& violations) {

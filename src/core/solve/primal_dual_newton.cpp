@@ -93,6 +93,10 @@ class PrimalDualNewton {
       if (report_.steps % (problem_.has_demands() ? kDemandInterval : kFlatInterval) == 0 && is_flat())
         report_.end = NewtonEnd::Flat;
     }
+    if (report_.end == NewtonEnd::StepLimit && report_.steps > 0) {
+      linearise();  // the last step may have been the one
+      if (meets_tolerance()) report_.end = NewtonEnd::Converged;
+    }
     keep_best();
     multipliers_ = rows_.multipliers;
     report_.damping = damping_;
@@ -142,11 +146,15 @@ class PrimalDualNewton {
     }
   }
 
+  bool meets_tolerance() const {
+    return report_.infeasibility <= options_.feasible && report_.first_order <= options_.first_order;
+  }
+
   // Steps with curvature converge quadratically, so once below the tolerance they go on while each still
   // gains an order of magnitude: a step or two more, and the result no longer depends on where exactly the
   // test was met.
   bool is_converged() {
-    if (report_.infeasibility > options_.feasible || report_.first_order > options_.first_order) return false;
+    if (!meets_tolerance()) return false;
     const bool gains = report_.first_order <= 0.1 * met_at_;
     met_at_ = report_.first_order;
     return gauss_newton_ || !gains || report_.first_order <= kFarBelow * options_.first_order;

@@ -9,7 +9,8 @@ RowPenalties::RowPenalties(const Problem& problem) : problem_(problem) {
   multipliers = Vector::Zero(problem.rows());
   bounds_.reserve(rows);
   for (int row = 0; row < problem.rows(); ++row) bounds_.push_back(problem.bounds(row));
-  left_out_.assign(rows, 0);
+  left_out_ = problem.inert_rows();
+  left_out_.resize(rows, 0);
   const auto [first, last] = problem.unit_normal_rows();
   std::fill(left_out_.begin() + first, left_out_.begin() + last, 1);
   waived_.assign(rows, 0);

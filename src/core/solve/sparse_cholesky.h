@@ -1,9 +1,10 @@
-// SparseCholesky: a symmetric positive definite sparse system solved by MUMPS (SYM = 1), analysed once per
-// pattern.
+// SparseCholesky: a symmetric positive definite sparse system, analysed once per pattern; factorised by MUMPS
+// (SYM = 1), or, for small systems that must not wait for MUMPS' one thread, by Eigen.
 //
 // MUMPS was the fastest of what Debian offers whose licence goes with Ipopt's (measured: 0.11 s a
 // factorisation at 10,000 panels against 0.25 s for CHOLMOD supernodal, which is GPL, and 1-1.8 s for Eigen's
-// simplicial one). Indices 0-based; lower triangle. Threads: every call enters the MUMPS gate.
+// simplicial one). Indices 0-based; lower triangle. Threads: with MUMPS every call enters its gate; with
+// Eigen one object is used by one thread at a time, different ones by several.
 #pragma once
 
 #include <memory>
@@ -15,11 +16,15 @@
 
 namespace planewright {
 
+class CholeskyBackend;
+
 class SparseCholesky {
  public:
+  enum class Backend { Mumps, Eigen };
   // rows[k] >= columns[k]; repeated entries are added up. block: the unknowns come in groups of so many that
   // always stand together, which makes the analysis that much cheaper; size is a multiple of it.
-  SparseCholesky(int size, std::vector<int> rows, std::vector<int> columns, int block = 1);
+  SparseCholesky(int size, std::vector<int> rows, std::vector<int> columns, int block = 1,
+                 Backend backend = Backend::Mumps);
   ~SparseCholesky();
   SparseCholesky(const SparseCholesky&) = delete;
   SparseCholesky& operator=(const SparseCholesky&) = delete;
@@ -34,17 +39,12 @@ class SparseCholesky {
   // Overwrites right (#size) with the solution. Precondition: the last factorise() returned true.
   void solve(Vector& right) const;
 
-  const std::string& error() const { return error_; }
-  bool out_of_memory() const { return out_of_memory_; }
-  int negative_pivots() const { return negative_pivots_; }  // of the last factorise()
+  const std::string& error() const;
+  bool out_of_memory() const;
+  int negative_pivots() const;  // of the last factorise(); Eigen stops at the first
 
  private:
-  bool analyse();
-  struct Impl;
-  std::unique_ptr<Impl> impl_;
-  std::string error_;
-  int negative_pivots_ = 0;
-  bool out_of_memory_ = false;
+  std::unique_ptr<CholeskyBackend> backend_;
 };
 
 }  // namespace planewright

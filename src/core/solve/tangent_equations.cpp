@@ -57,7 +57,9 @@ void solve_upper(const double* l, double* v) {
 
 TangentWorkspace::TangentWorkspace(const Problem& problem, EnergyCoupling coupling)
     : pattern(problem, coupling),
-      cholesky(3 * pattern.kept(), entries(pattern, true), entries(pattern, false), 3) {}
+      cholesky(3 * pattern.kept(), entries(pattern, true), entries(pattern, false), 3,
+               problem.layout().outside.empty() ? SparseCholesky::Backend::Mumps
+                                                : SparseCholesky::Backend::Eigen) {}
 
 std::shared_ptr<TangentWorkspace> TangentCache::find_or_make(const Problem& problem,
                                                              EnergyCoupling coupling) {
@@ -261,7 +263,9 @@ void TangentEquations::add_curvature(const Vector& z, double energy_factor, cons
               multipliers[row] * constraint_values_.slopes[static_cast<size_t>(s)];
   for (int i = 0; i < planes_; ++i) {
     const double bend = z.segment<3>(layout.n(i)).normalized().dot(slope.segment<3>(layout.n(i)));
-    auto target = block(pattern().diagonal_block()[static_cast<size_t>(points_ + i)]);
+    const int own = pattern().diagonal_block()[static_cast<size_t>(points_ + i)];
+    if (own < 0) continue;
+    auto target = block(own);
     target(0, 0) -= share * bend;
     target(1, 1) -= share * bend;
   }
@@ -437,6 +441,7 @@ Vector TangentEquations::moved(const Vector& z, const Vector& step) const {
   out.head(3 * points_) += step.head(3 * points_);
   if (layout.freedom == Freedom::Fixed) return out;
   for (int i = 0; i < planes_; ++i) {
+    if (layout.is_outside(points_ + i)) continue;
     const auto turn = step.segment<3>(3 * (points_ + i));
     auto n = out.segment<3>(layout.n(i));
     n += tangents_[static_cast<size_t>(i)] * turn.head<2>();

@@ -9,14 +9,16 @@
 //     H = 2 factor J^T J + curvature + sum_r weight_r g_r g_r^T + damping,
 // J: Jacobian of the energies' residuals (Problem::residual_values); g_r: gradient of constraint row r;
 // curvature: what the residuals' and rows' own second derivatives add (add_curvature). Points that no row
-// couples are eliminated first, one 3 x 3 block each (tangent_pattern.h); MUMPS factorises the rest. With
-// EnergyCoupling::Dropped the factors are those of H without the coupling of points by energies, and solve()
-// is a conjugate gradient iteration on H itself that they precondition: cheaper, for steps that need not be
-// exact, than factorising fairing's second neighbourhoods.
+// couples are eliminated first, one 3 x 3 block each (tangent_pattern.h); MUMPS factorises the rest, or Eigen
+// in a local problem, so that it never waits for the solver. With EnergyCoupling::Dropped the factors are
+// those of H without the coupling of points by energies, and solve() is a conjugate gradient iteration on H
+// itself that they precondition: cheaper, for steps that need not be exact, than factorising fairing's second
+// neighbourhoods.
 //
 // The pattern depends on stencils alone, so one analysis serves every step and, handed on in a TangentCache,
 // every later solve of a problem of the same topology. Units: normalised (layout.h). Threads: one at a time;
-// factorisations go through the MUMPS gate.
+// factorisations of whole problems go
+// through the MUMPS gate.
 #pragma once
 
 #include <memory>

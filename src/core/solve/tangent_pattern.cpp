@@ -1,6 +1,7 @@
 #include "core/solve/tangent_pattern.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace planewright {
 namespace {
@@ -8,6 +9,8 @@ namespace {
 std::uint64_t key(int later, int earlier) {
   return static_cast<std::uint64_t>(later) << 32 | static_cast<std::uint32_t>(earlier);
 }
+
+constexpr int kNowhere = std::numeric_limits<int>::min();  // of kept_index_: outside
 
 void sort_unique(std::vector<std::uint64_t>& keys) {
   std::sort(keys.begin(), keys.end());
@@ -17,7 +20,7 @@ void sort_unique(std::vector<std::uint64_t>& keys) {
 }  // namespace
 
 TangentPattern::TangentPattern(const Problem& problem, EnergyCoupling coupling)
-    : coupling_(coupling), points_(problem.layout().points), planes_(problem.layout().planes) {
+    : coupling_(coupling), layout_(problem.layout()), points_(layout_.points), planes_(layout_.planes) {
   read_rows(energies_, problem.residual_pattern(), problem.residuals(), {0, 0});
   read_rows(constraints_, problem.jacobian_pattern(), problem.rows(), problem.unit_normal_rows());
   choose_eliminated();
@@ -31,14 +34,9 @@ bool TangentPattern::fits(const Problem& problem, EnergyCoupling coupling) const
     return a.columns == b.columns && a.rows == b.rows;
   };
   return (coupling == coupling_ || !energies_couple_) && points_ == problem.layout().points &&
-         planes_ == problem.layout().planes && same(energies_.pattern, problem.residual_pattern()) &&
+         planes_ == problem.layout().planes && layout_.outside == problem.layout().outside &&
+         same(energies_.pattern, problem.residual_pattern()) &&
          same(constraints_.pattern, problem.jacobian_pattern());
-}
-
-int TangentPattern::node_of(int variable) const {
-  if (variable < 3 * points_) return variable / 3;
-  if (variable < 3 * (points_ + planes_)) return points_ + (variable - 3 * points_) / 3;
-  return points_ + variable - 3 * (points_ + planes_);
 }
 
 void TangentPattern::read_rows(RowSet& set, const SparsePattern& pattern, int rows,
@@ -76,8 +74,11 @@ void TangentPattern::for_each_pair(Visit visit) const {
   for (const RowSet* set : {&energies_, &constraints_})
     for (int row = 0; row < set->rows; ++row) {
       const auto nodes = set->nodes[row];
-      for (size_t a = 0; a < nodes.size(); ++a)
-        for (size_t b = 0; b <= a; ++b) visit(*set, nodes[a], nodes[b]);
+      for (size_t a = 0; a < nodes.size(); ++a) {
+        if (layout_.is_outside(nodes[a])) continue;
+        for (size_t b = 0; b <= a; ++b)
+          if (!layout_.is_outside(nodes[b])) visit(*set, nodes[a], nodes[b]);
+      }
     }
 }
 
@@ -110,6 +111,10 @@ void TangentPattern::choose_eliminated() {
   }
   kept_index_.resize(keep.size());
   for (int node = 0; node < nodes(); ++node) {
+    if (layout_.is_outside(node)) {
+      kept_index_[static_cast<size_t>(node)] = kNowhere;
+      continue;
+    }
     std::vector<int>& list = keep[static_cast<size_t>(node)] ? kept_nodes_ : eliminated_points_;
     const int place = static_cast<int>(list.size());
     kept_index_[static_cast<size_t>(node)] = keep[static_cast<size_t>(node)] ? place : -1 - place;
@@ -168,6 +173,7 @@ int TangentPattern::find_block(int a, int b, bool& transposed) const {
   transposed = a < b;
   const int later = kept_index_[static_cast<size_t>(std::max(a, b))];
   const int earlier = kept_index_[static_cast<size_t>(std::min(a, b))];
+  if (later == kNowhere || earlier == kNowhere) return -1;
   if (a == b) return earlier >= 0 ? kept_block(later, earlier) : kept_blocks() + (-1 - earlier);
   if (later >= 0 && earlier >= 0) return kept_block(later, earlier);
   if (later < 0) return -1;  // eliminated points couple with no other point

@@ -5,7 +5,7 @@
 // Nodes: points 0..X-1, then planes X..X+P-1, three unknowns each. A point that no row couples with another
 // point is eliminated in closed form (a 3 x 3 block of its own), which leaves a system on the planes; other
 // points, and points with more than kMostCouplings neighbours, whose elimination would fill the matrix, stay
-// in it as kept nodes.
+// in it as kept nodes. Nodes outside a local problem's patch (Layout::outside) have no blocks.
 //
 // Block storage, in this order: kept blocks (pairs of kept nodes, sorted, the reduced matrix), the eliminated
 // points' own blocks, couplings of an eliminated point with a kept node (rows: the kept node's). Every block
@@ -54,7 +54,7 @@ class TangentPattern {
   int points() const { return points_; }
   int planes() const { return planes_; }
   int nodes() const { return points_ + planes_; }
-  int node_of(int variable) const;
+  int node_of(int variable) const { return layout_.node_of(variable); }
 
   int kept() const { return static_cast<int>(kept_nodes_.size()); }
   int eliminated() const { return static_cast<int>(eliminated_points_.size()); }
@@ -64,7 +64,7 @@ class TangentPattern {
 
   const std::vector<int>& kept_nodes() const { return kept_nodes_; }                // node of each
   const std::vector<int>& eliminated_points() const { return eliminated_points_; }  // node of each
-  const std::vector<int>& diagonal_block() const { return diagonal_block_; }        // #nodes
+  const std::vector<int>& diagonal_block() const { return diagonal_block_; }        // #nodes; -1: outside
   int first_coupling(int e) const { return first_coupling_[static_cast<size_t>(e)]; }
   int coupled_kept(int coupling) const { return coupled_kept_[static_cast<size_t>(coupling)]; }
   int coupling_block(int coupling) const { return kept_blocks() + eliminated() + coupling; }
@@ -100,10 +100,12 @@ class TangentPattern {
   }
 
   EnergyCoupling coupling_;
+  Layout layout_;
   int points_, planes_;
   bool energies_couple_ = false;  // points
   RowSet energies_, constraints_;
-  std::vector<int> kept_index_;  // #nodes: place among kept nodes, or -1 - place among eliminated ones
+  std::vector<int>
+      kept_index_;  // #nodes: place among kept nodes, -1 - place among eliminated ones, or kNowhere
   std::vector<int> kept_nodes_, eliminated_points_;
   std::vector<int> first_coupling_, coupled_kept_;
   std::vector<std::uint64_t> kept_keys_;

@@ -84,7 +84,8 @@ class TangentSolver final : public Solver {
       return;
     }
     run.frames.tell_start(run.z);
-    if (problem.has_demands() ? begins_near(run) : run.options.near_solution) {
+    if (run.options.near_solution &&
+        (problem.has_demands() ? meets_demands_nearby(run) : is_almost_planar(run))) {
       recall(problem, run.multipliers);
       if (!drafted(run, report)) newton(run, report, Start::Near);
       return;
@@ -98,9 +99,19 @@ class TangentSolver final : public Solver {
     newton(run, report, Start::Valley);
   }
 
-  // Whether the start (almost) meets every demand, moved there.
-  bool begins_near(Run& run) {
-    if (!run.options.near_solution) return false;
+  // Most points on their planes, as after an edit that touched a few.
+  static bool is_almost_planar(const Run& run) {
+    Vector values(run.problem.rows());
+    run.problem.constraint_values(run.z.data(), values.data());
+    const int rows = run.problem.planarity_rows();
+    const auto off = (values.head(rows).array().abs() > kOffPlane).count();
+    return off <= std::max<Eigen::Index>(kEdited, rows / 10);
+  }
+  static constexpr double kOffPlane = 1e-3;    // mean edges
+  static constexpr Eigen::Index kEdited = 24;  // incidences
+
+  // Whether there is a state that meets every demand close to the start, moved there.
+  bool meets_demands_nearby(Run& run) {
     Vector projected = run.z;
     const DemandProjectionReport projection =
         project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_);
@@ -204,7 +215,7 @@ class TangentSolver final : public Solver {
           run.problem.first_order_residual(exact.data(), multipliers.data()) * share(run.problem);
       if (residual <= kStopShare * run.options.tolerance) break;
       run.z = exact;
-      run.multipliers = multipliers * share(run.problem);
+      run.multipliers = without_unit_normals(run.problem, multipliers * share(run.problem));
       options = newton_options(run);
       options.at_solution = true;
       newton =
@@ -259,10 +270,14 @@ class TangentSolver final : public Solver {
   }
   void recall(const Problem& problem, Vector& multipliers) const {
     if (multipliers_.size() == problem.rows() && remembered_rows_ == problem.jacobian_pattern().columns) {
-      multipliers = multipliers_;
-      const auto [first, last] = problem.unit_normal_rows();
-      multipliers.segment(first, last - first).setZero();
+      multipliers = without_unit_normals(problem, multipliers_);
     }
+  }
+  // Newton steps account for those rows themselves.
+  static Vector without_unit_normals(const Problem& problem, Vector multipliers) {
+    const auto [first, last] = problem.unit_normal_rows();
+    multipliers.segment(first, last - first).setZero();
+    return multipliers;
   }
 
   TangentCache cache_;
