@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/complex/dual.h"
@@ -94,6 +95,19 @@ inline SharedComplex dual_of(const PolygonMesh& mesh, const DualOptions& options
 }
 inline SharedComplex planarize_of(const PolygonMesh& mesh, const PlanarizeOptions& options = {}) {
   return std::make_shared<const TangentComplex>(build_planarize(mesh, options).value());
+}
+
+// A sample design as the program would take it, its dual (triangles) or itself, `offset` mean edges away.
+inline SharedComplex sample_complex(std::string_view name, int panels, double offset = 0.0) {
+  const PolygonMesh mesh = make_sample(name, panels).value();
+  bool triangles = true;
+  for (const SampleInfo& info : samples())
+    if (info.name == name) triangles = info.triangles;
+  const auto moved_by = [&](double distance) {
+    return triangles ? dual_of(mesh, {distance}) : planarize_of(mesh, {distance});
+  };
+  const SharedComplex on_design = moved_by(0.0);
+  return offset == 0.0 ? on_design : moved_by(offset * on_design->mean_edge);
 }
 
 struct NamedComplex {
