@@ -151,6 +151,11 @@ inline double off_plane(const TangentComplex& complex, const State& state) {
   return incidence_residuals(complex, state).cwiseAbs().maxCoeff() / complex.mean_edge;
 }
 
+// What counts as planar to rounding: 1e-12 of the design's diagonal, in mean edges.
+inline double rounding(const TangentComplex& complex) {
+  return 1e-12 * bounding_diagonal(complex.preferred) / complex.mean_edge;
+}
+
 inline bool all_finite(const TangentComplex& complex) {
   return complex.anchors.allFinite() && complex.normals.allFinite() && complex.offsets.allFinite() &&
          complex.preferred.allFinite() && std::isfinite(complex.mean_edge);
