@@ -120,6 +120,11 @@ void expect_right(const Problem& problem, EnergyCoupling coupling, const std::st
   EXPECT_EQ(static_cast<int>(found.size()), pattern.blocks());
   EXPECT_TRUE(found.empty() || *found.rbegin() == pattern.blocks() - 1);
 
+  // Normals are kept unit by the way they are moved: those rows touch nothing.
+  const auto [first_unit, last_unit] = problem.unit_normal_rows();
+  for (int row = 0; row < problem.rows(); ++row)
+    EXPECT_EQ(pattern.constraints().nodes[row].empty(), row >= first_unit && row < last_unit) << row;
+
   // What the rows' pairs and slots point at.
   for (const auto* set : {&pattern.energies(), &pattern.constraints()}) {
     size_t pair = 0;
