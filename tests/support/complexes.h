@@ -5,6 +5,7 @@
 #include <memory>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/complex/dual.h"
@@ -96,6 +97,19 @@ inline SharedComplex planarize_of(const PolygonMesh& mesh, const PlanarizeOption
   return std::make_shared<const TangentComplex>(build_planarize(mesh, options).value());
 }
 
+// A sample design as the program would take it, its dual (triangles) or itself, `offset` mean edges away.
+inline SharedComplex sample_complex(std::string_view name, int panels, double offset = 0.0) {
+  const PolygonMesh mesh = make_sample(name, panels).value();
+  bool triangles = true;
+  for (const SampleInfo& info : samples())
+    if (info.name == name) triangles = info.triangles;
+  const auto moved_by = [&](double distance) {
+    return triangles ? dual_of(mesh, {distance}) : planarize_of(mesh, {distance});
+  };
+  const SharedComplex on_design = moved_by(0.0);
+  return offset == 0.0 ? on_design : moved_by(offset * on_design->mean_edge);
+}
+
 struct NamedComplex {
   std::string name;
   SharedComplex complex;
@@ -135,6 +149,11 @@ inline State perturbed(const TangentComplex& complex, double size, unsigned seed
 // Largest |n . (x - v) - h| of the state, in mean edges.
 inline double off_plane(const TangentComplex& complex, const State& state) {
   return incidence_residuals(complex, state).cwiseAbs().maxCoeff() / complex.mean_edge;
+}
+
+// What counts as planar to rounding: 1e-12 of the design's diagonal, in mean edges.
+inline double rounding(const TangentComplex& complex) {
+  return 1e-12 * bounding_diagonal(complex.preferred) / complex.mean_edge;
 }
 
 inline bool all_finite(const TangentComplex& complex) {

@@ -1,10 +1,14 @@
 // Solving and watching a solve, for the tests of solve/ and above.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "core/solve/ipopt_solver.h"
+#include "core/solve/tangent_solver.h"
 #include "support/problems.h"
 
 namespace planewright::test {
@@ -31,6 +35,32 @@ inline SolveReport solve(const Problem& problem, const State& start, const Solve
 }
 inline SolveReport solve(const Problem& problem, const SolveOptions& options = {}) {
   return solve(problem, initial_state(problem.complex()), options);
+}
+
+// By a tangent solver that has not solved anything before.
+inline SolveReport tangent_solve(const Problem& problem, const State& start, const SolveOptions& options = {},
+                                 SolveObserver* observer = nullptr, std::stop_token stop = {}) {
+  return make_tangent_solver()->solve(problem, start, options, observer, stop);
+}
+inline SolveReport tangent_solve(const Problem& problem, const SolveOptions& options = {}) {
+  return tangent_solve(problem, initial_state(problem.complex()), options);
+}
+
+// Planar to rounding, by our own measure, and every row met.
+inline void expect_sound(const Problem& problem, const SolveReport& report, const std::string& what) {
+  const TangentComplex& complex = problem.complex();
+  EXPECT_LE(off_plane(complex, report.state), rounding(complex)) << what;
+  EXPECT_LE(report.incidence_residual, rounding(complex)) << what;
+  EXPECT_LE((report.state.n.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-14) << what;
+  for (const auto& entry : problem.violations(problem.from_state(report.state).data(), 1e-9)) {
+    EXPECT_EQ(entry.violated, 0) << what << ", " << entry.name << ": " << entry.max_violation;
+  }
+}
+
+// The problem's own first-order residual with the report's multipliers, weights relative to the largest.
+inline double first_order(const Problem& problem, const SolveReport& report) {
+  return problem.first_order_residual(problem.from_state(report.state).data(), report.multipliers.data()) /
+         problem.largest_weight();
 }
 
 inline double energy(const SolveReport& report, const std::string& name) {

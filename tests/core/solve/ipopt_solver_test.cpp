@@ -15,13 +15,6 @@ namespace {
 
 using namespace test;
 
-SharedComplex sample_complex(std::string_view name, int panels) {
-  const PolygonMesh mesh = make_sample(name, panels).value();
-  for (const SampleInfo& info : samples())
-    if (info.name == name && !info.triangles) return planarize_of(mesh);
-  return dual_of(mesh);
-}
-
 State projected_start(const TangentComplex& complex, Freedom freedom = Freedom::NormalsAndOffsets) {
   State state = initial_state(complex);
   project_onto_incidences(complex, state, freedom);
