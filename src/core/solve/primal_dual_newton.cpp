@@ -16,11 +16,15 @@ namespace {
 constexpr double kSoftEquations = 1e4, kStiffEquations = 1e7, kInequalities = 1e3;
 // Of Gauss-Newton steps where the linearisation holds: the energy is right from the first step.
 constexpr double kStraightEquations = 1e6;
-constexpr double kShortStep = 0.1, kLongStep = 0.3, kLongestStep = 0.6;  // mean edges, radians
-constexpr double kMeritPenalty = 30.0;
+constexpr double kLongStep = 0.3, kLongestStep = 0.6;  // mean edges, radians
+// How boldly steps are taken; both by trial, on eight meshes without demands and on twenty demands.
+struct Pace {
+  double merit_penalty;            // of the merit's own augmented Lagrangian
+  double short_step;               // edges, from which equations stiffen
+  double damping_after_rejection;  // at least: less seldom helps, and each try costs a factorisation
+};
+constexpr Pace kFreePace{30.0, 0.1, 0.1}, kDemandPace{100.0, 0.05, 1e-4};
 constexpr double kLeastDamping = 1e-6, kMostDamping = 1e9;
-// Less than this seldom helps where a step was rejected: one try instead of three.
-constexpr double kDampingAfterRejection = 0.1;
 constexpr double kTowardsHere = 1e-6;                     // keeps points in place that no energy pulls
 constexpr double kPointShare = 0.1;                       // of the planes' damping that points get
 constexpr double kFirstShare = 0.05, kLeastShare = 0.02;  // of the curvature
@@ -63,6 +67,7 @@ class PrimalDualNewton {
         hold_(problem, z),
         share_(1.0 / problem.largest_weight()),
         points_(3 * problem.layout().points),
+        pace_(problem.has_demands() ? kDemandPace : kFreePace),
         gauss_newton_(options.begin_gauss_newton),
         damping_(options.damping) {
     rows_.equations = gauss_newton_ ? kStraightEquations : kSoftEquations;
@@ -176,7 +181,7 @@ class PrimalDualNewton {
     trial_values_.resize(problem_.rows());
     problem_.constraint_values(z.data(), trial_values_.data());
     const double sum = share_ * problem_.objective(z.data()) + hold_.value(z.data()) +
-                       rows_.value(trial_values_, y, kMeritPenalty);
+                       rows_.value(trial_values_, y, pace_.merit_penalty);
     return std::isfinite(sum) ? sum : std::numeric_limits<double>::infinity();
   }
 
@@ -194,13 +199,13 @@ class PrimalDualNewton {
 
   // Decrease of the merit with multipliers y that the quadratic model of a step promises.
   double predicted(const Vector& step, const Vector& change, const Vector& y, double on_points) {
-    rows_.slopes(values_, y, kMeritPenalty, merit_slopes_);
+    rows_.slopes(values_, y, pace_.merit_penalty, merit_slopes_);
     double stiffer = 0.0;  // what the step's own penalties put into its model beyond the merit's
     for (int row = 0; row < problem_.rows(); ++row) {
       if (!rows_.counts(row)) continue;
       const auto r = static_cast<size_t>(row);
       const bool active = merit_slopes_[r] != 0.0 || rows_.is_equation(row);
-      stiffer += (weights_[r] - (active ? kMeritPenalty : 0.0)) * change[row] * change[row];
+      stiffer += (weights_[r] - (active ? pace_.merit_penalty : 0.0)) * change[row] * change[row];
     }
     Vector slope = equations_->gradient_of(share_, nullptr, merit_slopes_);
     if (hold_.active()) slope.head(points_) += hold_.gradient(z_.data());
@@ -270,7 +275,7 @@ class PrimalDualNewton {
         report_.end = NewtonEnd::NotStraight;
         return false;
       }
-      damping_ = std::max(damping_ * raise, kDampingAfterRejection);
+      damping_ = std::max(damping_ * raise, pace_.damping_after_rejection);
       raise *= 2.0;
     }
     report_.end = finite ? NewtonEnd::NoStep : NewtonEnd::NotFinite;
@@ -282,7 +287,7 @@ class PrimalDualNewton {
     damping_ *= ratio > 0.75 ? 0.3 : ratio > 0.25 ? 0.7 : 2.0;
     damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
     if (!gauss_newton_) raise_curvature();
-    if (length < kShortStep)
+    if (length < pace_.short_step)
       rows_.equations = std::min(3.0 * rows_.equations, kStiffEquations);
     else if (length > kLongStep)
       rows_.equations = std::max(rows_.equations / 3.0, kSoftEquations);
@@ -295,7 +300,7 @@ class PrimalDualNewton {
     std::vector<char> active(static_cast<size_t>(problem_.rows()), 0);
     for (int row = 0; row < problem_.rows(); ++row)
       active[static_cast<size_t>(row)] = !rows_.is_equation(row) && rows_.multipliers[row] != 0.0;
-    if (active == active_ && length < kShortStep)
+    if (active == active_ && length < pace_.short_step)
       rows_.inequalities = std::min(3.0 * rows_.inequalities, kStiffEquations);
     else if (active != active_)
       rows_.inequalities = std::max(rows_.inequalities / 10.0, kInequalities);
@@ -364,6 +369,7 @@ class PrimalDualNewton {
   Hold hold_;
   double share_;  // energies relative to the largest weight
   Eigen::Index points_;
+  Pace pace_;
   std::unique_ptr<TangentEquations> equations_;
   bool gauss_newton_, too_large_ = false;
   double indefinite_at_ = std::numeric_limits<double>::infinity();  // share of the curvature
