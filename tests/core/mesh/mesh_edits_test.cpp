@@ -86,6 +86,13 @@ TEST(MeshEdits, AreNamed) {
   EXPECT_EQ(describe(MeshEdit::delete_face(3)), "Delete face 3");
 }
 
+TEST(MeshEdits, AreEqualIfTheyDoTheSame) {
+  EXPECT_EQ(MeshEdit::flip(3), MeshEdit::flip(3));
+  EXPECT_NE(MeshEdit::flip(3), MeshEdit::join(3));
+  EXPECT_NE(MeshEdit::split_edge(3), MeshEdit::split_edge(3, Vector3d(1, 2, 3)));
+  EXPECT_EQ(MeshEdit::move_vertex(3, {1, 2, 3}), MeshEdit::move_vertex(3, {1, 2, 3}));
+}
+
 TEST(MeshEdits, RefuseElementsThatAreNotThere) {
   const PolygonMesh mesh = grid(2, 1).mesh();
   for (const int wrong : {-1, 1000}) {
@@ -288,6 +295,50 @@ TEST(Collapse, UndoesASplitEdge) {
       EXPECT_GE(back.mesh.find_edge(edge.a, edge.b), 0);
     }
   }
+}
+
+// The rules against the plain thing: what is refused would have broken the mesh, or left a vertex without a
+// face, or with two edges inside the mesh.
+bool breaks(const PolygonMesh& mesh, const std::vector<std::vector<int>>& faces, int gone) {
+  Polygons polygons;
+  for (const auto& corners : faces) polygons.push_back(corners);
+  const auto after = PolygonMesh::from_polygons(mesh.positions(), polygons);
+  if (polygons.empty() || !after || euler(*after) != euler(mesh)) return true;
+  for (int v = 0; v < after->vertex_count(); ++v) {
+    const auto now = after->edges_around(v).size();
+    if (now == 0 && v != gone) return true;
+    if (now == 2 && !after->is_border_vertex(v) && mesh.edges_around(v).size() > 2) return true;
+  }
+  return false;
+}
+
+TEST(Collapse, IsRefusedOnlyWhereItWouldBreakSomething) {
+  int refused = 0, allowed = 0;
+  PolygonMesh holed = grid(4, 4).mesh();
+  for (const MeshEdit& edit :
+       {MeshEdit::delete_face(5), MeshEdit::split_face(9, 12, 18), MeshEdit::split_face(0, 1, 5)}) {
+    holed = edited(holed, edit).mesh;
+  }
+  const PolygonMesh thin = edited(triangle_grid(4, 1).mesh(), MeshEdit::split_edge(3)).mesh;
+  for (const PolygonMesh& mesh : {holed, thin, cube().mesh(), octahedron().mesh(), tetrahedron().mesh(),
+                                  fan(3).mesh(), fan(6, true).mesh(), triangle_grid(3, 3).mesh()}) {
+    for (int e = 0; e < mesh.edge_count(); ++e) {
+      const MeshEdge edge = mesh.edge(e);
+      std::vector<std::vector<int>> faces;
+      for (int f = 0; f < mesh.face_count(); ++f) {
+        std::vector<int> corners = mesh.corners(f);
+        std::replace(corners.begin(), corners.end(), edge.b, edge.a);
+        corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+        if (corners.front() == corners.back()) corners.pop_back();
+        if (corners.size() > 2) faces.push_back(corners);
+      }
+      const bool may = may_apply(mesh, MeshEdit::collapse(e)).has_value();
+      EXPECT_EQ(may, !breaks(mesh, faces, edge.b)) << edge.a << " - " << edge.b;
+      (may ? allowed : refused) += 1;
+    }
+  }
+  EXPECT_GT(refused, 20);
+  EXPECT_GT(allowed, 20);
 }
 
 TEST(MoveVertex, MovesItAlone) {
