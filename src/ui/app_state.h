@@ -125,8 +125,8 @@ class AppState {
   void select_panel(int panel, Combine how);  // of the shown panels
   void select_point(int point, Combine how);
   void clear_selection();
-  // The shown panels can be of the mesh before an edit. What they name as the present mesh's elements, and the
-  // other way round; what is not there is left out.
+  // The shown panels can be of the mesh before an edit. What they name as the present mesh's elements, and
+  // the other way round; what is not there is left out.
   Selection of_present(Selection shown_names) const;
   Selection of_shown(Selection names) const;
   // Selects what an element of the shown panels is, and asks the viewport to go there.

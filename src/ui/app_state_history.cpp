@@ -30,6 +30,8 @@ bool AppState::mesh_edited(const Result<std::vector<std::string>>& edited, std::
   if (document_.revision() == revision) return true;
   merging_ = drags;
   document_changed();
+  // The next solve supersedes the one that runs; where none follows, that one ends with what it has.
+  if (outcome_due_ && !solve_wanted_) session_.stop();
   if (!edited->empty()) {
     std::string lost;
     for (const std::string& what : *edited) lost += (lost.empty() ? "" : ", ") + what;

@@ -115,6 +115,25 @@ TEST(AppStateHistory, AnUndoStopsTheSolveThatRuns) {
   EXPECT_NE(state.shown()->fingerprint, opened);
 }
 
+TEST(AppStateHistory, AnEditStopsTheSolveThatRunsAndKeepsItsState) {
+  AppState state;
+  state.open_sample("torus", 1500);
+  ASSERT_TRUE(settle(state));
+  state.set_auto_solve(false);
+  change_fairing(state, 3.0);
+  state.solve();
+  ASSERT_TRUE(run_until(state, [&] { return state.solving_layer().has_value(); }));
+  const auto ticket = state.ticket();
+  ASSERT_TRUE(state.edit_mesh(MeshEdit::collapse(inner_edge(*state.document().mesh()))));
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.ticket(), ticket) << "nothing else was solved";
+  EXPECT_FALSE(state.up_to_date());
+  EXPECT_EQ(state.shown()->ticket(), ticket);
+  EXPECT_EQ(state.shown()->complex().plane_count(), state.document().mesh()->vertex_count() + 1);
+  EXPECT_EQ(state.document().undo_name().substr(0, 8), "Collapse") << "a solve of another mesh is no step";
+  EXPECT_TRUE(state.messages().empty());
+}
+
 TEST(AppStateHistory, ASolveGoesOnAfterEveryKindOfEdit) {
   AppState state;
   state.open_sample("dome", 120);
