@@ -105,10 +105,12 @@ void AppState::adopt(Loaded loaded) {
   match_runs();
   ghost_.reset();
   clear_selection();
+  selection_ids_ = document_.ids();
   planarity_range_ = displacement_range_ = 0.0;
   iterates_before_end_ = 0;
   last_fingerprint_ = 0;
   merging_ = false;
+  solve_is_step_ = false;
   start_afresh_ = true;
   solving_run_ = 0;  // what the session still delivers is nobody's
   outcome_due_ = false;
@@ -173,31 +175,9 @@ void AppState::end_merge() {
   merging_ = false;
 }
 
-bool AppState::flip_edge(int edge) {
-  const Result<void> flipped = document_.flip_edge(edge);
-  if (!flipped) {
-    post(flipped.error());
-    return false;
-  }
-  document_changed();
-  return true;
-}
-
-void AppState::undo() {
-  if (!document_.can_undo()) return;
-  end_merge();
-  document_.undo();
-  document_changed();
-}
-
-void AppState::redo() {
-  if (!document_.can_redo()) return;
-  end_merge();
-  document_.redo();
-  document_changed();
-}
-
 void AppState::document_changed() {
+  solve_is_step_ = false;
+  follow_elements();
   if (!mesh_view_ || mesh_view_->mesh != document_.mesh()) refresh_mesh_view();
   match_runs();
   take_reference();
@@ -222,6 +202,7 @@ void AppState::solve(Start start) {
   }
   start_afresh_ = start_afresh_ || start == Start::Afresh;
   solve_wanted_ = true;
+  solve_is_step_ = true;
   background_wanted_ = true;
 }
 
@@ -266,8 +247,13 @@ void AppState::start_solve(int layer, Clock::time_point now, SolverKind solver) 
     request.neighbour = std::make_shared<const NeighbourLayer>(
         NeighbourLayer{inputs.neighbour->complex, inputs.neighbour->state});
   }
-  if (!afresh && of.newest && of.newest->complex->kind == request.settings.mode)
+  if (!afresh && of.newest && of.newest->complex->kind == request.settings.mode) {
     request.warm_start = of.newest;
+    if (of.newest_ids && *of.newest_ids != *document_.ids()) {
+      request.edited = std::make_shared<const ElementMap>(map_between(*of.newest_ids, *document_.ids()));
+    }
+  }
+  of.ids = document_.ids();
   of.ticket = session_.start(std::move(request));
   of.started = std::move(inputs);
   of.asked = solver;
@@ -342,6 +328,7 @@ bool AppState::drain() {
   const bool polishes = polishing();
   if (auto iterate = session_.take_iterate(); iterate && of != nullptr && !polishes) {
     of->newest = std::move(iterate);
+    of->newest_ids = of->ids;
     of->newest_final = false;
     submit(*of);
     changed = true;
@@ -365,6 +352,7 @@ bool AppState::drain() {
       take_outcome(*of, std::move(*outcome));
       refresh_stale();
       show_settings_of_views();
+      if (of->newest_final && !of->failed && !of->stale) remember_results();
       changed = true;
     }
   }
@@ -426,9 +414,11 @@ void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
   if (of.history_ticket == outcome.ticket && !of.history.empty()) iterate->iteration = of.history.back();
   report.state = State();
   of.newest = std::move(iterate);
+  of.newest_ids = of.ids;
   of.newest_final = true;
   of.made_with = of.asked;
   of.finished = of.newest;
+  of.finished_ids = of.newest_ids;
   submit(of);
   if (report.status == SolveStatus::Failed || report.status == SolveStatus::Infeasible ||
       report.status == SolveStatus::NotPlanar) {

@@ -94,9 +94,13 @@ class AppState {
   void change_settings(LayerSettings settings, std::string what, std::string merge_key = {});
   void change_design(Design design, std::string what, std::string merge_key = {});
   void end_merge();
-  bool flip_edge(int edge);  // a refusal becomes a message
-  void undo();
-  void redo();
+  // A refusal becomes a message; so does what goes with elements that are gone.
+  bool edit_mesh(const MeshEdit& edit, std::string merge_key = {});
+  bool edit_mesh(const std::vector<MeshEdit>& edits, std::string what, std::string merge_key = {});
+  // Panels that the moment had are shown at once, and solved again only if they were of another design.
+  void undo() { go_to(document_.steps_done() - 1); }
+  void redo() { go_to(document_.steps_done() + 1); }
+  void go_to(int steps);  // of the document's history
 
   // --- Layers. The active one is what edits, picking, findings and colours are about.
   int layer_count() const { return static_cast<int>(document_.design().layers.size()); }
@@ -121,6 +125,10 @@ class AppState {
   void select_panel(int panel, Combine how);  // of the shown panels
   void select_point(int point, Combine how);
   void clear_selection();
+  // The shown panels can be of the mesh before an edit. What they name as the present mesh's elements, and
+  // the other way round; what is not there is left out.
+  Selection of_present(Selection shown_names) const;
+  Selection of_shown(Selection names) const;
   // Selects what an element of the shown panels is, and asks the viewport to go there.
   void show_element(const ElementRef& element);
   std::optional<LookAt> take_look_at() { return std::exchange(look_at_, std::nullopt); }
@@ -243,9 +251,12 @@ class AppState {
     bool stale = true;                       // the present inputs are others
     std::uint64_t ticket = 0;                // of the newest solve
     SolverKind asked = SolverKind::Tangent;  // for that solve; a polish asks for Auto
+    std::shared_ptr<const ElementIds> ids;   // of the mesh of the newest solve
     std::shared_ptr<const Iterate> newest;   // that any solve delivered
+    std::shared_ptr<const ElementIds> newest_ids;  // of its mesh
     bool newest_final = false;
     std::shared_ptr<const Iterate> finished;  // the newest outcome; what other layers are fitted to
+    std::shared_ptr<const ElementIds> finished_ids;
     std::shared_ptr<const PreparedView> shown;
     std::uint64_t submitted = 0;  // number of the newest job for the preparer
     double thickness = 0.0;       // that job's
@@ -261,6 +272,8 @@ class AppState {
     bool failed = false;          // the newest outcome had no state to show
     std::uint64_t complaint = 0;  // message about how the newest solve ended, 0: none
   };
+  // Of every layer, as a moment of the document keeps them.
+  struct ShownLayers;
   using LoadedReference = std::pair<std::string, Result<std::shared_ptr<const ReferenceSurface>>>;
 
   const LayerRun& run(int layer) const;
@@ -280,6 +293,14 @@ class AppState {
   void begin_load(std::string name, std::function<Result<Loaded>()> load);
   void adopt(Loaded loaded);
   void document_changed();
+  bool mesh_edited(const Result<std::vector<std::string>>& edited, std::uint64_t revision, bool drags);
+  void follow_elements();   // what is selected names the present mesh's elements
+  void remember_results();  // as what is shown of the present moment
+  void restore_results();
+  // From the mesh of the shown panels to the present one; nothing if the elements are the same.
+  std::optional<ElementMap> since_shown() const;
+  // The result of a layer, if it is of a mesh with these elements; else null.
+  std::shared_ptr<const Iterate> finished(int layer, const std::shared_ptr<const ElementIds>& ids) const;
   void refresh_mesh_view();
   bool drain();
   void take_energies(LayerRun& of);
@@ -321,6 +342,7 @@ class AppState {
   BackgroundTask<LoadedReference> reference_loader_;
 
   Selection selection_;
+  std::shared_ptr<const ElementIds> selection_ids_;  // of the mesh that it belongs to
   std::uint64_t selection_changes_ = 0;
   std::optional<LookAt> look_at_;
 
@@ -332,6 +354,7 @@ class AppState {
   bool polish_automatically_ = false;
   bool solve_wanted_ = false;
   bool start_afresh_ = false;
+  bool solve_is_step_ = false;  // the designer has asked for the solve that is under way
   bool merging_ = false;  // a slider is being dragged
   Clock::time_point last_start_{};
   std::vector<Iteration> drained_;

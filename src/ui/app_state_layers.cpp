@@ -63,6 +63,13 @@ void AppState::match_runs() {
   }
 }
 
+std::shared_ptr<const Iterate> AppState::finished(int layer,
+                                                  const std::shared_ptr<const ElementIds>& ids) const {
+  const LayerRun& of = run(layer);
+  const bool same = of.finished_ids == ids || (of.finished_ids && ids && *of.finished_ids == *ids);
+  return same ? of.finished : nullptr;
+}
+
 AppState::LayerInputs AppState::inputs_of(int layer) const {
   const Design& design = document_.design();
   const Layer& of = design.layers[static_cast<std::size_t>(layer)];
@@ -73,7 +80,7 @@ AppState::LayerInputs AppState::inputs_of(int layer) const {
   std::vector<Demand>& demands = inputs.settings.demands.list;
   if (of.coplanar_with >= 0 && of.coplanar_with < layer) {
     // Before that layer has a result this one is solved without; and again when it is there.
-    inputs.neighbour = run(of.coplanar_with).finished;
+    inputs.neighbour = finished(of.coplanar_with, document_.ids());
     const bool there = std::any_of(demands.begin(), demands.end(),
                                    [](const Demand& d) { return d.name == kCoplanarDemand; });
     if (inputs.neighbour && !there) demands.push_back({kCoplanarDemand, true, {}, {}});
@@ -110,7 +117,7 @@ void AppState::show_settings_of_views() {
     if (!of.newest) continue;
     const int k = layers[i].coplanar_with;
     const auto beams_to =
-        k >= 0 && k < static_cast<int>(i) ? run(k).finished : std::shared_ptr<const Iterate>();
+        k >= 0 && k < static_cast<int>(i) ? finished(k, of.newest_ids) : std::shared_ptr<const Iterate>();
     if (of.thickness != layers[i].thickness || of.beams_to != beams_to) submit(of);
   }
 }
@@ -119,10 +126,11 @@ void AppState::submit(LayerRun& of) {
   const auto index = static_cast<int>(&of - runs_.data());
   const int k = of.layer.coplanar_with;
   of.thickness = of.layer.thickness;
-  of.beams_to = k >= 0 && k < index ? run(k).finished : nullptr;
+  of.beams_to = k >= 0 && k < index ? finished(k, of.newest_ids) : nullptr;
   of.submitted = next_job_++;
   PrepareJob job;
   job.iterate = of.newest;
+  job.ids = of.newest_ids;
   job.scene_origin = scene_origin_;
   job.final = of.newest_final;
   job.layer = of.id;

@@ -1,6 +1,7 @@
 // AppState's selection and pins: what of the mesh is selected, and what of it is held where.
 #include <algorithm>
 
+#include "core/complex/mapped_origin.h"
 #include "core/edit/design_edits.h"
 #include "ui/app_state.h"
 #include "ui/format.h"
@@ -21,7 +22,7 @@ void AppState::select(Selection selection, Combine how) {
 
 void AppState::select_panel(int panel, Combine how) {
   if (!shown() || panel < 0 || panel >= shown()->complex().plane_count()) return;
-  select(named_panels(shown()->complex(), {panel}), how);
+  select(of_present(named_panels(shown()->complex(), {panel})), how);
   selected_point.reset();
   selected_edge.reset();
   selected_panel = how == Combine::Remove ? std::nullopt : std::optional(panel);
@@ -29,7 +30,7 @@ void AppState::select_panel(int panel, Combine how) {
 
 void AppState::select_point(int point, Combine how) {
   if (!shown() || point < 0 || point >= shown()->complex().point_count()) return;
-  select(named_points(shown()->complex(), {point}), how);
+  select(of_present(named_points(shown()->complex(), {point})), how);
   selected_panel.reset();
   selected_edge.reset();
   selected_point = how == Combine::Remove ? std::nullopt : std::optional(point);
@@ -107,14 +108,22 @@ void AppState::remove_selection(const std::string& name) {
 
 std::optional<int> AppState::shown_point(const PointOrigin& origin) const {
   if (!shown()) return std::nullopt;
+  PointOrigin then = origin;
+  if (const auto map = since_shown()) {
+    then.element = mapped(point_origins(inverse(*map), origin.kind), origin.element);
+  }
   const auto& origins = shown()->complex().point_origin;
-  const auto found = std::find(origins.begin(), origins.end(), origin);
+  const auto found = std::find(origins.begin(), origins.end(), then);
   return found == origins.end() ? std::nullopt : std::optional(static_cast<int>(found - origins.begin()));
 }
 
 std::optional<int> AppState::shown_panel(int plane_origin) const {
   if (!shown()) return std::nullopt;
-  const auto& origins = shown()->complex().plane_origin;
+  const TangentComplex& complex = shown()->complex();
+  if (const auto map = since_shown()) {
+    plane_origin = mapped(plane_origins(inverse(*map), complex.kind), plane_origin);
+  }
+  const auto& origins = complex.plane_origin;
   const auto found = std::find(origins.begin(), origins.end(), plane_origin);
   return found == origins.end() ? std::nullopt : std::optional(static_cast<int>(found - origins.begin()));
 }
@@ -133,24 +142,28 @@ int AppState::pin_selection() {
   if (!shown()) return 0;
   const TangentComplex& complex = shown()->complex();
   const State& state = shown()->iterate->state;
-  std::vector<int> points = points_named(complex, selection_);
+  const auto edited = since_shown();
+  const Selection selection = of_shown(selection_);
+  std::vector<int> points = points_named(complex, selection);
   // A corner of the outline has no name in a selection; it is pinned when it is pointed at.
   if (selected_point && *selected_point < complex.point_count() &&
       !std::binary_search(points.begin(), points.end(), *selected_point)) {
     points.push_back(*selected_point);
   }
-  const std::vector<int> panels = panels_named(complex, selection_);
+  const std::vector<int> panels = panels_named(complex, selection);
   LayerSettings settings = document_.settings();
   for (const int j : points) {
     const Vector3d at = state.x.row(j).transpose() + complex.origin;
-    set_pin(settings.demands,
-            {complex.point_origin[static_cast<std::size_t>(j)], {{at.x(), at.y(), at.z()}}});
+    PointOrigin point = complex.point_origin[static_cast<std::size_t>(j)];
+    if (edited) point.element = mapped(point_origins(*edited, point.kind), point.element);
+    if (point.element >= 0) set_pin(settings.demands, {point, {{at.x(), at.y(), at.z()}}});
   }
   for (const int i : panels) {
     const Vector3d n = state.n.row(i).transpose().normalized();
     const double distance = state.h[i] + n.dot(complex.anchors.row(i)) + n.dot(complex.origin);
-    set_plane_pin(settings.demands, {complex.plane_origin[static_cast<std::size_t>(i)],
-                                     PlanePin::Equation{{n.x(), n.y(), n.z()}, distance}});
+    int origin = complex.plane_origin[static_cast<std::size_t>(i)];
+    if (edited) origin = mapped(plane_origins(*edited, complex.kind), origin);
+    set_plane_pin(settings.demands, {origin, PlanePin::Equation{{n.x(), n.y(), n.z()}, distance}});
   }
   const auto count = static_cast<int>(points.size() + panels.size());
   if (count == 0) {
@@ -174,11 +187,16 @@ int AppState::unpin_selection() {
   const TangentComplex& complex = shown()->complex();
   LayerSettings settings = document_.settings();
   std::vector<PointOrigin> points;
-  for (const int j : points_named(complex, selection_)) {
+  for (const int j : points_named(complex, of_shown(selection_))) {
     points.push_back(complex.point_origin[static_cast<std::size_t>(j)]);
   }
   if (selected_point && *selected_point < complex.point_count()) {
     points.push_back(complex.point_origin[static_cast<std::size_t>(*selected_point)]);
+  }
+  if (const auto edited = since_shown()) {
+    for (PointOrigin& point : points) {
+      point.element = mapped(point_origins(*edited, point.kind), point.element);
+    }
   }
   const auto& panels = complex.kind == ComplexKind::Dual ? selection_.vertices : selection_.faces;
   auto count = std::erase_if(settings.demands.pins, [&](const Pin& pin) {

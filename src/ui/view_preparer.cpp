@@ -73,6 +73,7 @@ PreparedView prepare_view(const PrepareJob& job, std::shared_ptr<const render::P
 
   PreparedView view;
   view.iterate = job.iterate;
+  view.ids = job.ids;
   view.final = job.final;
   view.layer = job.layer;
   view.number = job.number;

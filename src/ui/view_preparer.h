@@ -19,6 +19,7 @@
 #include "core/design/solve_session.h"
 #include "core/diagnose/ill_determined.h"
 #include "core/diagnose/planarity.h"
+#include "core/edit/element_names.h"
 #include "core/layers/parallel_offset.h"
 #include "ui/mesh_view.h"
 #include "ui/render/panel_arrays.h"
@@ -27,6 +28,7 @@ namespace planewright::ui {
 
 struct PrepareJob {
   std::shared_ptr<const Iterate> iterate;
+  std::shared_ptr<const ElementIds> ids = {};     // of the mesh that it is of
   Vector3d scene_origin = Vector3d::Zero();       // model coordinates of the scene's 0
   bool final = false;                             // the outcome of a solve
   std::uint64_t layer = 0;                        // whose state it is; jobs of other layers do not replace it
@@ -55,6 +57,7 @@ struct PreparedThickness {
 
 struct PreparedView {
   std::shared_ptr<const Iterate> iterate;
+  std::shared_ptr<const ElementIds> ids;  // as the job had them
   bool final = false;
   std::uint64_t layer = 0, number = 0;
   double thickness_wanted = 0.0;  // as the job had it

@@ -192,7 +192,7 @@ void Viewport::Impl::upload_marks(const AppState& state) {
     const TangentComplex& complex = shown->complex();
     const auto place_of = [&](int point) -> Vector3d { return shown->points.row(point).transpose(); };
     // Panels: a film over them, and their outline.
-    std::vector<int> panels = panels_named(complex, state.selection());
+    std::vector<int> panels = panels_named(complex, state.of_shown(state.selection()));
     if (now.panel && *now.panel < panel_layer.polygons.size() &&
         !std::binary_search(panels.begin(), panels.end(), *now.panel)) {
       panels.insert(std::lower_bound(panels.begin(), panels.end(), *now.panel), *now.panel);
@@ -213,7 +213,7 @@ void Viewport::Impl::upload_marks(const AppState& state) {
         segments.push_back({place_of(edge.a), place_of(edge.b), render::Segment::Kind::Selected});
       }
     }
-    for (const int point : points_named(complex, state.selection())) {
+    for (const int point : points_named(complex, state.of_shown(state.selection()))) {
       marks.push_back({place_of(point), render::Marker::Kind::Selected});
     }
     for (const auto& point : {now.point, now.hovered_corner}) {

@@ -116,7 +116,7 @@ void Viewport::Impl::hover(Ui& ui, const AppState& state, ImVec2 at) {
   if (!hovered || !hovered_corner) return;
   const float to_corner =
       glm::distance(camera.project(shown->points.row(*hovered_corner).transpose()), to_picture(at));
-  if (state.document().may_flip(*hovered) && edge_place(*hovered, at).pixels < to_corner) {
+  if (state.document().may_edit(MeshEdit::flip(*hovered)) && edge_place(*hovered, at).pixels < to_corner) {
     hovered_corner.reset();
   } else {
     hovered.reset();
@@ -137,7 +137,7 @@ void Viewport::Impl::explain_hovered(Ui& ui, const AppState& state) const {
   };
   if (hovered_pin) {
     explain("Pin " + format_count(*hovered_pin + 1), "drag to move", true);
-  } else if (const Result<void> allowed = state.document().may_flip(*hovered); allowed) {
+  } else if (const Result<void> allowed = state.document().may_edit(MeshEdit::flip(*hovered)); allowed) {
     explain("Edge " + format_count(*hovered), "click to flip", true);
   } else {
     explain("Edge " + format_count(*hovered), allowed.error().what, false);
@@ -165,8 +165,8 @@ void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
   hover_probe = {-1, -1};
   const bool again =
       std::exchange(flipped_by_click, false) && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-  if (!again && how == Combine::Replace && edge && state.document().may_flip(*edge)) {
-    state.flip_edge(*edge);
+  if (!again && how == Combine::Replace && edge && state.document().may_edit(MeshEdit::flip(*edge))) {
+    state.edit_mesh(MeshEdit::flip(*edge));
     flipped_by_click = true;
     return;
   }
@@ -245,7 +245,7 @@ void Viewport::Impl::select_box(AppState& state, ImVec2 from, ImVec2 to) const {
   }
   const Combine how = combine_of(io);
   if (how == Combine::Replace) state.clear_selection();
-  state.select(std::move(inside), how);
+  state.select(state.of_present(inside), how);
 }
 
 void Viewport::Impl::draw_box(const Ui& ui, ImVec2 at) const {

@@ -129,13 +129,13 @@ TEST(AppState, FlipsSolveAgainAndRefusalsAreMessages) {
   while (!mesh.can_flip(inner)) ++inner;
   while (!mesh.edge(border).border()) ++border;
 
-  EXPECT_FALSE(state.flip_edge(border));
+  EXPECT_FALSE(state.edit_mesh(MeshEdit::flip(border)));
   ASSERT_EQ(state.messages().size(), 1u);
   EXPECT_EQ(state.messages().front().kind, Message::Kind::Error);
   EXPECT_TRUE(state.settled());
 
   const auto view = state.mesh_view();
-  EXPECT_TRUE(state.flip_edge(inner));
+  EXPECT_TRUE(state.edit_mesh(MeshEdit::flip(inner)));
   EXPECT_NE(state.mesh_view(), view);
   ASSERT_TRUE(settle(state));
   EXPECT_LE(state.shown()->planarity.max_relative_to_bbox, 1e-9);
@@ -178,8 +178,8 @@ TEST(AppState, TheGhostAndThePanelsComeReadyToDraw) {
   const auto ghost = state.ghost();
 
   int edge = 0;
-  while (!state.document().may_flip(edge)) ++edge;
-  ASSERT_TRUE(state.flip_edge(edge));
+  while (!state.document().may_edit(MeshEdit::flip(edge))) ++edge;
+  ASSERT_TRUE(state.edit_mesh(MeshEdit::flip(edge)));
   EXPECT_FALSE(state.settled());
   ASSERT_TRUE(settle(state));
   EXPECT_NE(state.ghost(), ghost);
@@ -366,8 +366,8 @@ TEST(AppState, AFlipSolvesEveryLayerInTurn) {
   ASSERT_TRUE(settle(state));
   const auto outer = state.shown(0), inner = state.shown(1);
   int edge = 0;
-  while (!state.document().may_flip(edge)) ++edge;
-  ASSERT_TRUE(state.flip_edge(edge));
+  while (!state.document().may_edit(MeshEdit::flip(edge))) ++edge;
+  ASSERT_TRUE(state.edit_mesh(MeshEdit::flip(edge)));
   state.update(Clock::now());
   EXPECT_EQ(state.solving_layer(), 1) << "the active one first";
   EXPECT_EQ(state.layer_status(0), LayerStatus::Waiting);

@@ -5,19 +5,25 @@
 #include <optional>
 #include <unordered_map>
 
+#include "core/complex/mapped_origin.h"
+
 namespace planewright {
 
 State initial_state(const TangentComplex& complex) {
   return {complex.preferred, complex.normals, complex.offsets};
 }
 
-State transfer(const TangentComplex& from, const State& state, const TangentComplex& to) {
+State transfer(const TangentComplex& from, const State& state, const TangentComplex& to,
+               const ElementMap* edited) {
   State result = initial_state(to);
   if (from.kind != to.kind) return result;
   const Vector3d shift = from.origin - to.origin;
 
   std::unordered_map<int, int> plane_by_origin;
-  for (int i = 0; i < from.plane_count(); ++i) plane_by_origin.emplace(from.plane_origin[i], i);
+  for (int i = 0; i < from.plane_count(); ++i) {
+    const int origin = from.plane_origin[i];
+    plane_by_origin.emplace(edited ? mapped(plane_origins(*edited, from.kind), origin) : origin, i);
+  }
   std::vector<int> source_plane(static_cast<size_t>(to.plane_count()), -1);
   for (int i = 0; i < to.plane_count(); ++i) {
     const auto found = plane_by_origin.find(to.plane_origin[i]);
@@ -31,8 +37,11 @@ State transfer(const TangentComplex& from, const State& state, const TangentComp
   }
 
   std::map<std::pair<PointKind, int>, int> point_by_origin;
-  for (int j = 0; j < from.point_count(); ++j)
-    point_by_origin.emplace(std::pair(from.point_origin[j].kind, from.point_origin[j].element), j);
+  for (int j = 0; j < from.point_count(); ++j) {
+    const auto [kind, element] = from.point_origin[j];
+    point_by_origin.emplace(
+        std::pair(kind, edited ? mapped(point_origins(*edited, kind), element) : element), j);
+  }
   for (int j = 0; j < to.point_count(); ++j) {
     const auto found = point_by_origin.find({to.point_origin[j].kind, to.point_origin[j].element});
     if (found == point_by_origin.end()) continue;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/complex/tangent_complex.h"
+#include "core/mesh/element_map.h"
 
 namespace planewright {
 
@@ -16,10 +17,12 @@ struct State {
 // The state at which a solve starts when nothing better is known: x = f, n and h as the builder set them.
 State initial_state(const TangentComplex& complex);
 
-// A start for `to` from a state of `from`: planes and points with the same origin are taken over; points
-// whose planes changed (an edge was flipped) start where `to` prefers them. Works for any two complexes of
-// one mesh.
-State transfer(const TangentComplex& from, const State& state, const TangentComplex& to);
+// A start for `to` from a state of `from`: planes and points with the same origin are taken over; new ones,
+// and points whose planes changed (an edge was flipped), start where `to` prefers them. A plane whose vertex
+// or face moved stays where it was in space. Works for any two complexes of one mesh, or (edited not null) of
+// a mesh and what edits made of it; `edited` maps from the mesh of `from` to that of `to`.
+State transfer(const TangentComplex& from, const State& state, const TangentComplex& to,
+               const ElementMap* edited = nullptr);
 
 // n_i . (x_j - v_i) - h_i for each incidence, points in order, each point's planes ascending (#incidences),
 // model units: how far each point is from each of its planes.

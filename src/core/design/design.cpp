@@ -39,8 +39,9 @@ Result<std::shared_ptr<const Problem>> build_problem(std::shared_ptr<const Tange
 }
 
 State start_state(const TangentComplex& complex, const LayerSettings& settings,
-                  const TangentComplex* warm_complex, const State* warm) {
-  State state = warm && warm_complex ? transfer(*warm_complex, *warm, complex) : initial_state(complex);
+                  const TangentComplex* warm_complex, const State* warm, const ElementMap* edited) {
+  State state =
+      warm && warm_complex ? transfer(*warm_complex, *warm, complex, edited) : initial_state(complex);
   if (settings.freedom == Freedom::Fixed) state.n = complex.normals;
   if (settings.freedom != Freedom::NormalsAndOffsets) state.h = complex.offsets;
   return state;

@@ -29,10 +29,12 @@ Result<std::shared_ptr<const Problem>> build_problem(std::shared_ptr<const Tange
                                                      const std::vector<Selection>& selections = {},
                                                      const FrozenGeometry& frozen = {});
 
-// The builder's own start, or (warm not null) what another state of the same mesh gives for this complex.
-// Planes and offsets that the settings hold fixed are always the builder's.
+// The builder's own start, or (warm not null) what another state of the same mesh, or (edited not null, see
+// transfer()) of the mesh that was edited to it, gives for this complex. Planes and offsets that the settings
+// hold fixed are always the builder's.
 State start_state(const TangentComplex& complex, const LayerSettings& settings,
-                  const TangentComplex* warm_complex = nullptr, const State* warm = nullptr);
+                  const TangentComplex* warm_complex = nullptr, const State* warm = nullptr,
+                  const ElementMap* edited = nullptr);
 
 SolveOptions solve_options(const LayerSettings& settings);
 

@@ -99,7 +99,8 @@ struct SolveSession::Impl {
       outcome.complex = built;
       const Iterate* warm = job.request.warm_start.get();
       const State start =
-          start_state(*built, settings, warm ? warm->complex.get() : nullptr, warm ? &warm->state : nullptr);
+          start_state(*built, settings, warm ? warm->complex.get() : nullptr, warm ? &warm->state : nullptr,
+                      job.request.edited.get());
       Publisher publisher(*this, job, built);
       SolveOptions options = solve_options(settings);
       options.abandoned = job.abandoned.get_token();

@@ -45,6 +45,7 @@ struct SolveRequest {
   // Where to start: null for the builder's own start, else a state, transferred if its complex is another
   // one.
   std::shared_ptr<const Iterate> warm_start = {};
+  std::shared_ptr<const ElementMap> edited = {};  // from its mesh to `mesh`; null: the same elements
   SolverKind solver = SolverKind::Tangent;
 };
 

@@ -4,139 +4,129 @@
 #include <cassert>
 #include <utility>
 
+#include "core/edit/remap.h"
+
 namespace planewright {
-namespace {
-
-// Why PolygonMesh::can_flip said no, as a sentence for the designer.
-Error refusal(const PolygonMesh& mesh, int edge) {
-  const std::string where = "edge " + std::to_string(edge);
-  const MeshEdge e = mesh.edge(edge);
-  if (e.border()) {
-    return {ErrorCode::Refused, "an edge of the border cannot be flipped", where, "Click an inner edge."};
-  }
-  const Polygons faces = mesh.faces();
-  if (faces.valence(e.left) != 3 || faces.valence(e.right) != 3) {
-    return {ErrorCode::Refused, "only an edge between two triangles can be flipped", where,
-            "Triangulate the two faces first."};
-  }
-  const auto opposite = [&](int face) {
-    for (const int v : faces[face]) {
-      if (v != e.a && v != e.b) return v;
-    }
-    return -1;
-  };
-  if (mesh.find_edge(opposite(e.left), opposite(e.right)) >= 0) {
-    return {ErrorCode::Refused, "the flipped edge exists already", where, "Flip a neighbouring edge first."};
-  }
-  return {ErrorCode::Refused, "the flip would leave a vertex with too few faces", where,
-          "Flip a neighbouring edge first."};
-}
-
-}  // namespace
 
 void Document::open(CheckedMesh mesh, std::string name, LayerSettings settings) {
-  mesh_ = std::make_shared<const PolygonMesh>(std::move(mesh.mesh));
+  Moment opened;
+  opened.mesh = std::make_shared<const PolygonMesh>(std::move(mesh.mesh));
+  opened.design.layers.front().settings = std::move(settings);
+  numbering_ = ElementNumbering(*opened.mesh);
+  panel_numbers_ = PanelNumbers(*opened.mesh);
+  opened.ids = std::make_shared<const ElementIds>(numbering_.opened());
   health_ = std::move(mesh.health);
   name_ = std::move(name);
-  design_ = Design{};
-  design_.layers.front().settings = std::move(settings);
   active_layer_ = 0;
-  steps_.clear();
-  done_ = 0;
-  merging_ = false;
+  history_.begin(std::move(opened));
   ++revision_;
 }
 
-Result<void> Document::may_flip(int edge) const {
-  if (!mesh_) return fail(ErrorCode::Refused, "there is no mesh yet", {}, "Open one first.");
-  if (edge < 0 || edge >= mesh_->edge_count()) {
-    return fail(ErrorCode::Refused, "there is no such edge", "edge " + std::to_string(edge));
-  }
-  if (!mesh_->can_flip(edge)) return tl::unexpected<Error>(refusal(*mesh_, edge));
-  return {};
-}
-
-Result<void> Document::flip_edge(int edge) {
-  if (Result<void> allowed = may_flip(edge); !allowed) return allowed;
-  auto flipped = std::make_shared<PolygonMesh>(*mesh_);
-  [[maybe_unused]] const bool done = flipped->flip(edge);
-  assert(done);
-  push({"Flip edge " + std::to_string(edge), {}, mesh_, std::move(flipped), design_, design_});
-  return {};
-}
-
 void Document::set_active_layer(int layer) {
-  active_layer_ = std::clamp(layer, 0, static_cast<int>(design_.layers.size()) - 1);
+  active_layer_ = std::clamp(layer, 0, static_cast<int>(design().layers.size()) - 1);
+}
+
+int Document::panel_number(int layer, int plane_origin) const {
+  if (empty() || layer < 0 || layer >= static_cast<int>(design().layers.size())) return -1;
+  const LayerSettings& settings = design().layers[static_cast<std::size_t>(layer)].settings;
+  return panel_numbers_.number(settings.mode, settings.border, *ids(), plane_origin);
+}
+
+Result<void> Document::may_edit(const MeshEdit& edit) const {
+  if (empty()) return fail(ErrorCode::Refused, "there is no mesh yet", {}, "Open one first.");
+  return may_apply(*mesh(), edit);
+}
+
+Result<std::vector<std::string>> Document::edit_mesh(const MeshEdit& edit, std::string merge_key) {
+  if (auto allowed = may_edit(edit); !allowed) return tl::unexpected(allowed.error());
+  return edit_mesh(std::vector{edit}, describe(edit), std::move(merge_key));
+}
+
+Result<std::vector<std::string>> Document::edit_mesh(const std::vector<MeshEdit>& edits, std::string what,
+                                                     std::string merge_key) {
+  if (empty()) return fail(ErrorCode::Refused, "there is no mesh yet", {}, "Open one first.");
+  if (edits.empty()) return std::vector<std::string>{};
+  EditedMesh edited;
+  for (std::size_t i = 0; i < edits.size(); ++i) {
+    auto next = apply(i == 0 ? *mesh() : edited.mesh, edits[i]);
+    if (!next) {
+      Error error = next.error();
+      if (edits.size() > 1) {
+        error.where =
+            "edit " + std::to_string(i + 1) + " of " + std::to_string(edits.size()) + ", " + error.where;
+      }
+      return tl::unexpected(std::move(error));
+    }
+    edited = {std::move(next->mesh), i == 0 ? std::move(next->map) : composed(edited.map, next->map)};
+  }
+  Moment next = history_.present();
+  RemappedDesign design = remapped(std::move(next.design), edited.map, *mesh(), edited.mesh);
+  next.design = std::move(design.design);
+  ElementIds ids = numbering_.edited(*next.ids, edited.map);
+  if (ids != *next.ids) next.ids = std::make_shared<const ElementIds>(std::move(ids));
+  next.mesh = std::make_shared<const PolygonMesh>(std::move(edited.mesh));
+  next.what = std::move(what);
+  next.merge_key = std::move(merge_key);
+  step(std::move(next));
+  return std::move(design.dropped);
 }
 
 void Document::change_settings(LayerSettings settings, std::string what, std::string merge_key) {
-  Design design = design_;
-  design.layers[static_cast<std::size_t>(active_layer_)].settings = std::move(settings);
-  change_design(std::move(design), std::move(what), std::move(merge_key));
+  Design changed = design();
+  changed.layers[static_cast<std::size_t>(active_layer_)].settings = std::move(settings);
+  change_design(std::move(changed), std::move(what), std::move(merge_key));
 }
 
-void Document::change_design(Design design, std::string what, std::string merge_key) {
-  assert(!design.layers.empty());
-  if (design == design_) return;
-  const bool merges = merging_ && !merge_key.empty() && done_ > 0 && done_ == steps_.size() &&
-                      steps_.back().merge_key == merge_key;
-  if (!merges) {
-    merging_ = !merge_key.empty();
-    push({std::move(what), std::move(merge_key), mesh_, mesh_, design_, std::move(design)});
+void Document::change_design(Design changed, std::string what, std::string merge_key) {
+  assert(!changed.layers.empty());
+  if (changed == design()) return;
+  Moment next = history_.present();
+  next.design = std::move(changed);
+  next.what = std::move(what);
+  next.merge_key = std::move(merge_key);
+  step(std::move(next));
+}
+
+void Document::set_results(std::shared_ptr<const ShownResults> results) {
+  history_.set_results(std::move(results));
+}
+
+// Mesh and design, and with them the revision, stay.
+void Document::record_solve(std::shared_ptr<const ShownResults> results, std::string what) {
+  if (history_.merging()) {
+    set_results(std::move(results));
     return;
   }
-  Step& step = steps_.back();
-  step.design_after = std::move(design);
-  apply(mesh_, step.design_after);
-  if (step.design_after == step.design_before) {  // dragged back to where it began
-    steps_.pop_back();
-    done_ = steps_.size();
-    merging_ = false;
-  }
+  Moment next = history_.present();
+  next.results = std::move(results);
+  next.what = std::move(what);
+  next.merge_key.clear();
+  history_.step(std::move(next));
 }
 
-void Document::end_merge() {
-  merging_ = false;
-}
-
-bool Document::can_undo() const {
-  return done_ > 0;
-}
-bool Document::can_redo() const {
-  return done_ < steps_.size();
-}
 std::string Document::undo_name() const {
-  return can_undo() ? steps_[done_ - 1].what : std::string();
+  return can_undo() ? history_.step_name(steps_done() - 1) : std::string();
 }
 std::string Document::redo_name() const {
-  return can_redo() ? steps_[done_].what : std::string();
+  return can_redo() ? history_.step_name(steps_done()) : std::string();
 }
 
-void Document::undo() {
-  if (!can_undo()) return;
-  merging_ = false;
-  const Step& step = steps_[--done_];
-  apply(step.mesh_before, step.design_before);
+std::vector<std::string> Document::history() const {
+  std::vector<std::string> names;
+  for (int step = 0; step < history_.steps(); ++step) names.push_back(history_.step_name(step));
+  return names;
 }
 
-void Document::redo() {
-  if (!can_redo()) return;
-  merging_ = false;
-  const Step& step = steps_[done_++];
-  apply(step.mesh_after, step.design_after);
+void Document::go_to(int steps) {
+  const int before = steps_done();
+  history_.go_to(steps);
+  if (steps_done() == before) return;
+  set_active_layer(active_layer_);
+  ++revision_;
 }
 
-void Document::push(Step step) {
-  if (step.merge_key.empty()) merging_ = false;
-  steps_.resize(done_);
-  steps_.push_back(std::move(step));
-  done_ = steps_.size();
-  apply(steps_.back().mesh_after, steps_.back().design_after);
-}
-
-void Document::apply(const std::shared_ptr<const PolygonMesh>& mesh, const Design& design) {
-  mesh_ = mesh;
-  design_ = design;
+void Document::step(Moment next) {
+  history_.step(std::move(next));
   set_active_layer(active_layer_);
   ++revision_;
 }

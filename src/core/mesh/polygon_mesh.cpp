@@ -240,6 +240,30 @@ Polygons PolygonMesh::faces() const {
   return result;
 }
 
+std::vector<int> PolygonMesh::corners(int f) const {
+  const HalfedgeMesh& mesh = impl_->mesh;
+  std::vector<int> result;
+  const HalfedgeHandle start = mesh.halfedge_handle(FaceHandle(f));
+  HalfedgeHandle h = start;
+  do {
+    result.push_back(mesh.from_vertex_handle(h).idx());
+    h = mesh.next_halfedge_handle(h);
+  } while (h != start);
+  return result;
+}
+
+int PolygonMesh::valence(int f) const {
+  const HalfedgeMesh& mesh = impl_->mesh;
+  int count = 0;
+  const HalfedgeHandle start = mesh.halfedge_handle(FaceHandle(f));
+  HalfedgeHandle h = start;
+  do {
+    ++count;
+    h = mesh.next_halfedge_handle(h);
+  } while (h != start);
+  return count;
+}
+
 MeshEdge PolygonMesh::edge(int e) const {
   const HalfedgeMesh& mesh = impl_->mesh;
   const HalfedgeHandle h(2 * e), opposite(2 * e + 1);
@@ -344,6 +368,13 @@ bool PolygonMesh::flip(int e) {
   // A border vertex names its border half-edge, which is none of these, and keeps it.
   if (mesh.halfedge_handle(a) == h) mesh.set_halfedge_handle(a, a_to_d);
   if (mesh.halfedge_handle(b) == opposite) mesh.set_halfedge_handle(b, b_to_c);
+  return true;
+}
+
+bool PolygonMesh::move_vertex(int v, const Vector3d& to) {
+  if (!to.allFinite()) return false;
+  impl_->positions.row(v) = to.transpose();
+  impl_->mesh.set_point(VertexHandle(v), {to.x(), to.y(), to.z()});
   return true;
 }
 

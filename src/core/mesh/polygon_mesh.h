@@ -44,6 +44,8 @@ class PolygonMesh {
 
   const Points& positions() const;  // #V x 3, model units
   Polygons faces() const;           // corners in the order given to from_polygons, as changed by flips
+  std::vector<int> corners(int f) const;  // of one face, as faces() has them
+  int valence(int f) const;               // how many
   MeshEdge edge(int e) const;
   int find_edge(int a, int b) const;  // the edge that joins two vertices, -1 if none
 
@@ -63,6 +65,9 @@ class PolygonMesh {
   // Flips e; false, with nothing changed, if !can_flip(e). Flipping twice restores the connectivity; the same
   // edge joins the same two vertices again, though with left and right exchanged.
   bool flip(int e);
+
+  // False, with nothing changed, for a place that is not finite. Precondition: v is a vertex.
+  bool move_vertex(int v, const Vector3d& to);
 
  private:
   struct Impl;

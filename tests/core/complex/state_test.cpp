@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <map>
+
+#include "core/complex/mapped_origin.h"
+#include "core/mesh/mesh_edits.h"
 #include "support/complexes.h"
 
 namespace planewright {
@@ -115,6 +120,52 @@ TEST(Transfer, KeepsPlanesInSpaceWhenAnchorsMove) {
   EXPECT_NEAR((panels_of(after, moved).points - panels_of(before, state).points).norm(), 0.0, 1e-13);
   const Vector a = incidence_residuals(before, state), b = incidence_residuals(after, moved);
   EXPECT_NEAR((a - b).norm(), 0.0, 1e-13);
+}
+
+// Vertex and face indices shift; what no edit touched is where it was.
+TEST(Transfer, AfterEditsKeepsAllButWhatTheyTouched) {
+  for (const bool triangles : {true, false}) {
+    const PolygonMesh mesh = (triangles ? domed_triangle_grid(5, 5) : twisted_grid(5, 5)).mesh();
+    const auto build = [&](const PolygonMesh& m) {
+      return triangles ? build_dual(m).value() : build_planarize(m).value();
+    };
+    const TangentComplex before = build(mesh);
+    const State state = perturbed(before, 0.1);
+    const EditedMesh first = apply(mesh, MeshEdit::delete_face(0)).value();
+    const EditedMesh second = apply(first.mesh, MeshEdit::collapse(first.mesh.find_edge(12, 13))).value();
+    const EditedMesh third = apply(second.mesh, MeshEdit::split_edge(second.mesh.find_edge(20, 26))).value();
+    const ElementMap edited = composed(composed(first.map, second.map), third.map);
+    const TangentComplex after = build(third.mesh);
+    const State moved = transfer(before, state, after, &edited);
+
+    int kept_points = 0, kept_planes = 0, fresh_points = 0;
+    const IndexMap& planes = plane_origins(edited, after.kind);
+    std::map<int, int> plane_before;
+    for (int k = 0; k < before.plane_count(); ++k) plane_before[before.plane_origin[k]] = k;
+    for (int i = 0; i < after.plane_count(); ++i) {
+      const int old = planes.to_old[static_cast<size_t>(after.plane_origin[i])];
+      EXPECT_EQ(moved.n.row(i), old < 0 ? after.normals.row(i) : state.n.row(plane_before.at(old)));
+      kept_planes += old >= 0;
+    }
+    for (int j = 0; j < after.point_count(); ++j) {
+      const auto [kind, element] = after.point_origin[j];
+      const int old = point_origins(edited, kind).to_old[static_cast<size_t>(element)];
+      const auto at =
+          std::find(before.point_origin.begin(), before.point_origin.end(), PointOrigin{kind, old});
+      const bool fresh = moved.x.row(j) == after.preferred.row(j);
+      if (!fresh) {
+        ASSERT_NE(at, before.point_origin.end());
+        const auto k = at - before.point_origin.begin();
+        const Eigen::RowVector3d there = state.x.row(k) + (before.origin - after.origin).transpose();
+        EXPECT_NEAR((moved.x.row(j) - there).norm(), 0.0, 1e-13);
+      }
+      (fresh ? fresh_points : kept_points) += 1;
+    }
+    EXPECT_GE(kept_planes, before.plane_count() - 3);
+    EXPECT_GT(fresh_points, 0);
+    EXPECT_LE(fresh_points, 16);
+    EXPECT_GT(kept_points, after.point_count() / 2);
+  }
 }
 
 TEST(Transfer, BetweenKindsStartsAfresh) {

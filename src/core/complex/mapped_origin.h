@@ -1,0 +1,32 @@
+// Where the mesh elements that a complex is made of went when the mesh was edited. -1: gone.
+#pragma once
+
+#include "core/complex/tangent_complex.h"
+#include "core/mesh/element_map.h"
+
+namespace planewright {
+
+// What planes, or points, of a kind stand for.
+inline const IndexMap& plane_origins(const ElementMap& edited, ComplexKind kind) {
+  return kind == ComplexKind::Dual ? edited.vertices : edited.faces;
+}
+inline const IndexMap& point_origins(const ElementMap& edited, PointKind kind) {
+  switch (kind) {
+    case PointKind::Face:
+      return edited.faces;
+    case PointKind::BorderEdge:
+      return edited.edges;
+    case PointKind::Corner:
+    case PointKind::Vertex:
+      break;
+  }
+  return edited.vertices;
+}
+
+inline int mapped(const IndexMap& map, int element) {
+  return element >= 0 && element < static_cast<int>(map.to_new.size())
+             ? map.to_new[static_cast<size_t>(element)]
+             : -1;
+}
+
+}  // namespace planewright
