@@ -22,7 +22,7 @@ const FindingKindInfo& info(FindingKind kind) {
       {"self-crossing", "panel crosses itself", "of its outline", 0.0, 0.7, 1.0},
       {"folded-over", "panel folds over", "edges", 1e-3, 0.7, 1.0},
       {"crossing-panels", "panels cross", "edges", 1e-3, 0.7, 1.0},
-      {"not-convex", "panel not convex", "degrees", 2.0, 0.1, 0.5},
+      {"not-convex", "panel not convex", "degrees", 10.0, 0.1, 0.5},
       {"far-point", "point far from its place", "edges", 1.0, 0.3, 0.7},
       {"collapsed-quad", "quad became a triangle", "of a parallelogram's corner", 0.1, 0.3, 0.7},
       {"twisted-beam", "beam twists", "degrees", 5.0, 0.1, 0.8},

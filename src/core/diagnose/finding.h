@@ -72,9 +72,9 @@ struct FindingSettings {
   bool operator==(const FindingSettings&) const = default;
 
   std::array<Of, kFindingKinds> kinds;
-  // NotConvex: angle defect of a mesh vertex, degrees, above which a convex panel is possible there. Nearly
-  // flat or cylindrical places are left alone.
-  double least_defect = 0.1;
+  // NotConvex: angle defect of a mesh vertex, degrees, above which a convex panel is possible there:
+  // above rounding, so that flat and cylindrical places are left alone.
+  double least_defect = 1e-3;
   // How far a point may lie from its planes, mean edges, for a state to count as solved.
   double planar = 1e-6;
 };

@@ -69,7 +69,7 @@ double notable_threshold(const TangentComplex& complex, const State& state) {
 }
 
 double notable_tilt_move(const Vector& moves) {
-  constexpr double kNever = 0.2, kAlways = 10.0, kFarAbove = 4.0;
+  constexpr double kNever = 2.0, kAlways = 100.0, kFarAbove = 32.0;
   std::vector<double> inner;
   for (const double move : moves)
     if (move > 0.0) inner.push_back(move);
