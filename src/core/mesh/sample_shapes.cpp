@@ -194,10 +194,10 @@ std::vector<PlantedPlace> flat_patch(const PolygonMesh& mesh, int panels) {
   return places;
 }
 
-// Edges apart from each other and from the border, in the middle half of the saddle.
+// Edges apart from each other and from the border, near x = 0.
 bool runs_the_wrong_way(int row, int k, const GridSize& size) {
-  return row % 4 == 2 && k % 4 == 2 && row + 2 < size.rows && k + 2 < size.columns &&
-         std::abs(2.0 * (k + 0.25) / size.columns - 1.0) < 0.5;
+  return row % 4 == 0 && k % 4 == 2 && row >= 4 && row + 4 <= size.rows &&
+         std::abs(2.0 * (k + 0.25) / size.columns - 1.0) < 0.4;
 }
 
 PolygonMesh bad_saddle(int panels) {
