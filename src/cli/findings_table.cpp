@@ -11,7 +11,7 @@ constexpr int kShownOfAKind = 20;
 std::string with_unit(double value, const std::string& unit) {
   char text[64];
   std::snprintf(text, sizeof text, "%.3g", value);
-  return unit.empty() ? text : text + (" " + unit);
+  return unit.empty() ? std::string(text) : std::string(text) + ' ' + unit;
 }
 
 void print_row(const Finding& finding) {

@@ -186,13 +186,14 @@ TEST(SampleShapes, FlawedOnesHaveACleanVersionAndPlantedPlaces) {
 TEST(SampleShapes, PlantedPlacesAreWhereTheySay) {
   const PolygonMesh dome = make_sample("flat-patch-dome").value();
   const Polygons faces = dome.faces();
-  for (const PlantedPlace& place : planted_places("flat-patch-dome").value())
+  const auto flat = planted_places("flat-patch-dome").value();
+  for (const PlantedPlace& place : flat)
     for (const int v : faces[place.faces.at(0)])
       EXPECT_EQ(dome.positions()(v, 2), dome.positions().col(2).maxCoeff());
   // Flipped back, the saddle is the clean one.
   PolygonMesh saddle = make_sample("bad-saddle").value();
-  for (const PlantedPlace& place : planted_places("bad-saddle").value())
-    EXPECT_TRUE(saddle.flip(place.edges.at(0)));
+  const auto flipped = planted_places("bad-saddle").value();
+  for (const PlantedPlace& place : flipped) EXPECT_TRUE(saddle.flip(place.edges.at(0)));
   for (int v = 0; v < saddle.vertex_count(); ++v) {
     if (!saddle.is_border_vertex(v)) {
       EXPECT_EQ(saddle.faces_around(v).size(), 6u);
