@@ -24,7 +24,7 @@ const FindingKindInfo& info(FindingKind kind) {
       {"crossing-panels", "panels cross", "edges", 1e-3, 0.7, 1.0},
       {"not-convex", "panel not convex", "degrees", 10.0, 0.1, 0.5},
       {"far-point", "point far from its place", "edges", 1.0, 0.3, 0.7},
-      {"collapsed-quad", "quad became a triangle", "of a parallelogram's corner", 0.1, 0.3, 0.7},
+      {"collapsed-quad", "quad became a triangle", "of a full corner", 0.1, 0.3, 0.7},
       {"twisted-beam", "beam twists", "degrees", 5.0, 0.1, 0.8},
   }};
   return infos[static_cast<size_t>(kind)];

@@ -58,6 +58,13 @@ TEST(TiltMoves, BoundWhatATiltDoes) {
   }
 }
 
+TEST(NotableTiltMove, IsFarAboveTheMedianWithinLimits) {
+  EXPECT_DOUBLE_EQ(notable_tilt_move(Vector::Constant(5, 0.5)), 16.0);
+  EXPECT_DOUBLE_EQ(notable_tilt_move(Vector::Constant(5, 1e-3)), 2.0);
+  EXPECT_DOUBLE_EQ(notable_tilt_move(Vector::Constant(5, 1e3)), 100.0);
+  EXPECT_DOUBLE_EQ(notable_tilt_move(Vector::Zero(5)), 100.0);
+}
+
 TEST(IllDeterminedPoints, AreThoseOfAFlatPlaceInABentDesign) {
   Scene scene(dual_of(icosahedron().mesh()));
   EXPECT_TRUE(find_ill_determined_points(scene.subject(), 0.0).empty());
