@@ -3,6 +3,7 @@
 //   compare         Ipopt default, Ipopt tuned, tangent and auto, all to one first-order residual, over tori
 //                   of growing size and real meshes: hours, so see --only, --models and --limit
 //   live            from a slider's move to the first planar panels
+//   findings        what finding the bad places of solved panels costs, by detector
 //   warm-start      iterations of Ipopt alone, and from where the tangent solver ended
 //
 // Without one of those words each solver ends by its own termination:
@@ -22,6 +23,7 @@
 #include "blas_threads.h"
 #include "compare.h"
 #include "demands.h"
+#include "findings.h"
 #include "live.h"
 #include "own_termination.h"
 #include "warm_start.h"
@@ -51,6 +53,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.require_subcommand(0, 1);
   bench::declare_compare(app);
+  bench::declare_findings(app);
   bench::declare_live(app);
   bench::declare_warm_start(app);
   try {

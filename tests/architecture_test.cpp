@@ -73,10 +73,11 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     r["core/complex"] = {"core/base", "core/mesh"};
     r["core/problem"] = {"core/base", "core/mesh", "core/complex"};
     r["core/solve"] = {"core/base", "core/mesh", "core/complex", "core/problem"};
-    // Diagnosis measures complexes and states, whatever made them.
-    r["core/diagnose"] = {"core/base", "core/mesh", "core/complex", "core/problem", "core/solve"};
     // Offsets and beams are made of finished states.
     r["core/layers"] = {"core/base", "core/mesh", "core/complex"};
+    // Diagnosis measures complexes and states, whatever made them, and the beams between two.
+    r["core/diagnose"] = {"core/base",    "core/mesh",  "core/complex",
+                          "core/problem", "core/solve", "core/layers"};
     r["core/design"] = {"core/base",  "core/mesh",     "core/complex", "core/problem",
                         "core/solve", "core/diagnose", "core/layers"};
     r["core/edit"] = r["core/design"];

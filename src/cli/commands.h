@@ -13,6 +13,7 @@ void add_dual_command(CLI::App& app, ExitStatus& status);
 void add_planarize_command(CLI::App& app, ExitStatus& status);
 void add_panels_command(CLI::App& app, ExitStatus& status);
 void add_check_command(CLI::App& app, ExitStatus& status);
+void add_diagnose_command(CLI::App& app, ExitStatus& status);
 void add_render_command(CLI::App& app, ExitStatus& status);
 
 }  // namespace planewright::cli

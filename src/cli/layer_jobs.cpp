@@ -144,6 +144,16 @@ Result<LayerPlan> plan_layers(const SolveCommandOptions& options) {
   return plan;
 }
 
+std::vector<NamedFile> inputs_of(const SolveCommandOptions& options) {
+  std::vector<NamedFile> files{{"IN", options.input},
+                               {"--select", options.selections},
+                               {"--pin", options.pins},
+                               {"--reference", options.reference}};
+  for (const std::string& report : options.waive) files.push_back({"--waive", report});
+  if (options.layers.ends_with(".json")) files.push_back({"--layers", options.layers});
+  return files;
+}
+
 std::vector<NamedFile> outputs_of(const LayerPlan& plan) {
   std::vector<NamedFile> files;
   for (const LayerJob& job : plan.jobs) {

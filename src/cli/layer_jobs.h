@@ -34,6 +34,8 @@ struct LayerPlan {
 // Unreadable as the parsers do; --beams without --thickness or a second layer.
 Result<LayerPlan> plan_layers(const SolveCommandOptions& options);
 
+// All files that a run reads, by the option that names them.
+std::vector<NamedFile> inputs_of(const SolveCommandOptions& options);
 // All files that the jobs will write, by the option that asks for them.
 std::vector<NamedFile> outputs_of(const LayerPlan& plan);
 

@@ -42,21 +42,6 @@ Result<Planarity> write_panels(const std::string& path, const Panels& panels) {
   return planarity_as_written(path, panels);
 }
 
-Result<SolveReport> solve(const LayerJob& job, const SolveCommandOptions& options, const DesignFiles& files,
-                          const std::vector<SolvedLayer>& earlier) {
-  const LayerSettings& settings = job.layer.settings;
-  if (options.explicit_points) return solve_explicitly(job.complex, settings);
-  LayerProblem problem{job.complex, settings, files.selections, files.reference, nullptr};
-  if (job.layer.coplanar_with >= 0) {
-    const SolvedLayer& other = earlier[static_cast<size_t>(job.layer.coplanar_with)];
-    problem.neighbour = std::make_shared<NeighbourLayer>(NeighbourLayer{other.complex, other.state});
-  }
-  Progress progress(options.quiet, settings.tolerance);
-  const auto solver = make_solver(options.solver);
-  return solve_layer(*solver, problem, start_state(*job.complex, settings), solve_options(settings), &progress,
-                     progress.stop_token());
-}
-
 Result<OffsetRecord> write_offset(const LayerJob& job, const ParallelOffset& offset) {
   OffsetRecord record;
   record.file = job.offset_output;
@@ -122,6 +107,25 @@ void measure(const TangentComplex& complex, const Panels& panels, SolveRecord& r
 
 }  // namespace
 
+std::shared_ptr<const NeighbourLayer> neighbour_of(const LayerJob& job,
+                                                   const std::vector<SolvedLayer>& earlier) {
+  if (job.layer.coplanar_with < 0) return nullptr;
+  const SolvedLayer& other = earlier[static_cast<size_t>(job.layer.coplanar_with)];
+  return std::make_shared<NeighbourLayer>(NeighbourLayer{other.complex, other.state});
+}
+
+Result<SolveReport> solve_job(const LayerJob& job, const SolveCommandOptions& options,
+                              const DesignFiles& files, const std::vector<SolvedLayer>& earlier) {
+  const LayerSettings& settings = job.layer.settings;
+  if (options.explicit_points) return solve_explicitly(job.complex, settings);
+  const LayerProblem problem{job.complex, settings, files.selections, files.reference,
+                             neighbour_of(job, earlier)};
+  Progress progress(options.quiet, settings.tolerance);
+  const auto solver = make_solver(options.solver);
+  return solve_layer(*solver, problem, start_state(*job.complex, settings), solve_options(settings),
+                     &progress, progress.stop_token());
+}
+
 Result<SolveRecord> run_layer(const std::vector<LayerJob>& jobs, const SolveCommandOptions& options,
                               const DesignFiles& files, std::vector<SolvedLayer>& earlier) {
   const auto begun = Clock::now();
@@ -133,7 +137,7 @@ Result<SolveRecord> run_layer(const std::vector<LayerJob>& jobs, const SolveComm
   record.reference = options.reference;
   record.settings = job.layer.settings;
 
-  auto solved = solve(job, options, files, earlier);
+  auto solved = solve_job(job, options, files, earlier);
   if (!solved) return tl::unexpected(solved.error());
   record.solve = std::move(*solved);
   const Panels panels = panels_of(*job.complex, record.solve.state);
@@ -141,6 +145,7 @@ Result<SolveRecord> run_layer(const std::vector<LayerJob>& jobs, const SolveComm
   if (!planarity) return tl::unexpected(planarity.error());
   record.planarity = *planarity;
   measure(*job.complex, panels, record);
+  record.diagnosis = diagnose(*job.complex, record.solve.state, {}, neighbour_of(job, earlier).get());
 
   earlier.push_back({job.complex, record.solve.state, {}});
   if (auto written = write_construction(jobs, earlier, record); !written)

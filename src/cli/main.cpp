@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   cli::add_planarize_command(app, status);
   cli::add_panels_command(app, status);
   cli::add_check_command(app, status);
+  cli::add_diagnose_command(app, status);
   cli::add_render_command(app, status);
   try {
     app.parse(argc, argv);

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -27,18 +26,12 @@ using Clock = std::chrono::steady_clock;
 
 // What cannot be written should be known before the work, not after it.
 Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& plan) {
-  std::vector<NamedFile> inputs{{"IN", options.input},
-                                {"--select", options.selections},
-                                {"--pin", options.pins},
-                                {"--reference", options.reference}};
-  for (const std::string& report : options.waive) inputs.push_back({"--waive", report});
-  if (options.layers.ends_with(".json")) inputs.push_back({"--layers", options.layers});
   std::vector<NamedFile> outputs = outputs_of(plan);
   for (const NamedFile& output : outputs)
     if (!output.path.empty())
       if (const auto format = format_of(output.path); !format) return tl::unexpected(format.error());
   outputs.push_back({"--report", options.report});
-  return check_outputs(inputs, outputs);
+  return check_outputs(inputs_of(options), outputs);
 }
 
 // Of several layers the status of the worst: demands that contradict each other before anything else missed.
@@ -134,12 +127,7 @@ void add_dual_command(CLI::App& app, ExitStatus& status) {
   auto options = std::make_shared<SolveCommandOptions>();
   auto* command = add_solve_command(app, status, ComplexKind::Dual, "dual",
                                     "Hexagon-dominant planar dual of a triangle (or polygon) mesh", options);
-  command
-      ->add_option("--border", options->settings.border,
-                   "'closed': the outline of the design survives (default); 'interior': panels of inner "
-                   "vertices alone")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, BorderPolicy>{
-          {"closed", BorderPolicy::Closed}, {"interior", BorderPolicy::Interior}}));
+  declare_border_option(*command, options);
 }
 
 void add_planarize_command(CLI::App& app, ExitStatus& status) {

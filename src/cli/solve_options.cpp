@@ -21,7 +21,6 @@ std::string names_of(const Entries& entries) {
 
 void declare_files(CLI::App& command, const Options& options) {
   command.add_option("IN", options->input, "Mesh to work on (.obj .off .ply .stl)")->required();
-  command.add_option("-o,--output", options->output, "Panels to write (.obj .off .ply .stl)")->required();
   command.add_option("--report", options->report, "JSON report to write");
   command.add_option("--unit", options->unit, "Unit of the model, for messages")
       ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
@@ -95,6 +94,13 @@ std::vector<CLI::Option*> declare_demands(CLI::App& command, const Options& opti
 }
 
 std::vector<CLI::Option*> declare_layers(CLI::App& command, const Options& options) {
+  return {command.add_option(
+      "--layers", options->layers,
+      "Several layers: NAME=OFFSET,NAME=OFFSET,... or a .json file with settings for each")};
+}
+
+void declare_outputs(CLI::App& command, const Options& options) {
+  command.add_option("-o,--output", options->output, "Panels to write (.obj .off .ply .stl)")->required();
   command
       .add_option(
           "--thickness", options->thickness,
@@ -103,19 +109,16 @@ std::vector<CLI::Option*> declare_layers(CLI::App& command, const Options& optio
       ->check(finite_number());
   command.add_option("--beams", options->beams,
                      "Also write the beams between the panels and their offset, or between two layers");
-  return {command.add_option(
-      "--layers", options->layers,
-      "Several layers: NAME=OFFSET,NAME=OFFSET,... or a .json file with settings for each")};
 }
 
 }  // namespace
 
-void declare_solve_options(CLI::App& command, const Options& options) {
+std::vector<CLI::Option*> declare_unwritten_solve_options(CLI::App& command, const Options& options) {
   declare_files(command, options);
-  command
-      .add_option("--offset", options->settings.offset,
-                  "Wanted distance from the input along its normals, model units")
-      ->check(finite_number());
+  auto* offset = command
+                     .add_option("--offset", options->settings.offset,
+                                 "Wanted distance from the input along its normals, model units")
+                     ->check(finite_number());
   std::map<std::string, SolverKind> solvers;
   for (const SolverKind kind : all_solvers()) solvers[name(kind)] = kind;
   auto* solver =
@@ -129,8 +132,27 @@ void declare_solve_options(CLI::App& command, const Options& options) {
       "--explicit", options->explicit_points,
       "No optimisation: intersect the tangent planes directly (the baseline), and say where that fails");
   explicit_points->excludes(solver);
+  std::vector<CLI::Option*> steering{solver, offset, explicit_points};
   for (const auto& declare : {declare_wishes, declare_demands, declare_layers})
-    for (CLI::Option* option : declare(command, options)) explicit_points->excludes(option);
+    for (CLI::Option* option : declare(command, options)) {
+      explicit_points->excludes(option);
+      steering.push_back(option);
+    }
+  return steering;
+}
+
+void declare_solve_options(CLI::App& command, const Options& options) {
+  declare_unwritten_solve_options(command, options);
+  declare_outputs(command, options);
+}
+
+CLI::Option* declare_border_option(CLI::App& command, const Options& options) {
+  return command
+      .add_option("--border", options->settings.border,
+                  "'closed': the outline of the design survives (default); 'interior': panels of inner "
+                  "vertices alone")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, BorderPolicy>{
+          {"closed", BorderPolicy::Closed}, {"interior", BorderPolicy::Interior}}));
 }
 
 }  // namespace planewright::cli

@@ -27,7 +27,13 @@ struct SolveCommandOptions {
   double thickness = 0.0;
 };
 
-// Declares them on a command; --border is dual's own.
+// Declares them on a command.
 void declare_solve_options(CLI::App& command, const std::shared_ptr<SolveCommandOptions>& options);
+// Those of a solve whose panels are not written: all but -o, --thickness and --beams. Returned: what only
+// steers the solve.
+std::vector<CLI::Option*> declare_unwritten_solve_options(
+    CLI::App& command, const std::shared_ptr<SolveCommandOptions>& options);
+// For duals.
+CLI::Option* declare_border_option(CLI::App& command, const std::shared_ptr<SolveCommandOptions>& options);
 
 }  // namespace planewright::cli

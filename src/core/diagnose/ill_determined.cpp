@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace planewright {
 
@@ -18,7 +19,29 @@ Vector determinacy(const TangentComplex& complex, const State& state) {
   return measure;
 }
 
+Vector tilt_moves(const TangentComplex& complex, const State& state) {
+  constexpr double kLeastSigma = 1e-8, kDegree = std::numbers::pi / 180.0;
+  const Vector sigma = determinacy(complex, state);
+  Vector moves = Vector::Zero(complex.point_count());
+  for (int j = 0; j < complex.point_count(); ++j) {
+    const auto planes = complex.planes_of_point[j];
+    if (planes.size() < 3) continue;
+    double arm = 0.0;
+    for (const int i : planes)
+      arm = std::max(arm,
+                     (state.x.row(j) - complex.anchors.row(i) - state.h[i] * state.n.row(i)).squaredNorm());
+    moves[j] = kDegree * std::sqrt(arm) / complex.mean_edge / std::max(sigma[j], kLeastSigma);
+  }
+  return moves;
+}
+
 namespace {
+
+double median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
 std::vector<IllDetermined> below(const TangentComplex& complex, const Vector& measure, double threshold) {
   std::vector<IllDetermined> found;
@@ -36,15 +59,21 @@ double notable(const TangentComplex& complex, const Vector& measure) {
   for (int j = 0; j < complex.point_count(); ++j)
     if (complex.planes_of_point.valence(j) >= 3) inner.push_back(measure[j]);
   if (inner.empty()) return kAlways;
-  const auto middle = inner.begin() + static_cast<std::ptrdiff_t>(inner.size() / 2);
-  std::nth_element(inner.begin(), middle, inner.end());
-  return std::clamp(kFarBelow * *middle, kAlways, kNever);
+  return std::clamp(kFarBelow * median(inner), kAlways, kNever);
 }
 
 }  // namespace
 
 double notable_threshold(const TangentComplex& complex, const State& state) {
   return notable(complex, determinacy(complex, state));
+}
+
+double notable_tilt_move(const Vector& moves) {
+  constexpr double kNever = 2.0, kAlways = 100.0, kFarAbove = 32.0;
+  std::vector<double> inner;
+  for (const double move : moves)
+    if (move > 0.0) inner.push_back(move);
+  return inner.empty() ? kAlways : std::clamp(kFarAbove * median(inner), kNever, kAlways);
 }
 
 std::vector<IllDetermined> find_ill_determined(const TangentComplex& complex, const State& state,

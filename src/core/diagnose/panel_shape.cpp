@@ -35,6 +35,8 @@ bool cross(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector
   return opposite(ac, ad) && opposite(ca, cb);
 }
 
+}  // namespace
+
 bool crosses_itself(const Points& points, std::span<const int> polygon) {
   const size_t n = polygon.size();
   if (n < 4) return false;
@@ -56,8 +58,6 @@ bool crosses_itself(const Points& points, std::span<const int> polygon) {
     }
   return false;
 }
-
-}  // namespace
 
 std::vector<int> find_self_crossing(const Points& points, const Polygons& polygons) {
   std::vector<int> found;

@@ -2,6 +2,7 @@
 // to make. Measured on the panels alone. Crossings between different panels are another matter.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "core/complex/state.h"
@@ -12,6 +13,8 @@ namespace planewright {
 // along the panel's Newell normal (panels whose loops cancel out: along the least-squares normal). Touching
 // is no crossing. points: #N x 3; polygons over them. Cost per panel: the square of its corners.
 std::vector<int> find_self_crossing(const Points& points, const Polygons& polygons);
+// The same of one panel.
+bool crosses_itself(const Points& points, std::span<const int> polygon);
 
 struct ShortEdge {
   int edge;       // index into TangentComplex::panel_edges

@@ -5,20 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
-#include "core/base/version.h"
+#include "core/export/json_parts.h"
 #include "core/problem/constraint.h"
 #include "core/problem/demands/demand_catalogue.h"
 
 namespace planewright {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-const char* key(ComplexKind kind) {
-  return kind == ComplexKind::Dual ? "dual" : "planarize";
-}
 
 const char* key(Freedom freedom) {
   switch (freedom) {
@@ -30,26 +23,6 @@ const char* key(Freedom freedom) {
       return "normals-and-offsets";
   }
   return "";
-}
-
-Json health_json(const HealthReport& health) {
-  Json defects = Json::array();
-  for (const Defect& defect : health.defects)
-    defects.push_back({{"kind", name(defect.kind)},
-                       {"count", defect.count},
-                       {"action", defect.action},
-                       {"elements", defect.elements}});
-  return {{"vertices", health.vertices},
-          {"faces", health.faces},
-          {"components", health.components},
-          {"border_loops", health.border_loops},
-          {"border_edges", health.border_edges},
-          {"repaired", health.repaired},
-          {"defects", defects}};
-}
-
-Json element_json(const ElementRef& element) {
-  return {{"kind", name(element.kind)}, {"index", element.index}};
 }
 
 Json waivers_json(const std::vector<Waiver>& waivers) {
@@ -94,7 +67,8 @@ Json diagnosis_json(const SolveRecord& record) {
     short_edges.push_back({{"edge", edge.edge}, {"length", edge.length}});
   return {{"degenerate_points", degenerate},
           {"short_edges", short_edges},
-          {"crossing_panels", record.self_crossing}};
+          {"crossing_panels", record.self_crossing},
+          {"findings", counts_json(record.diagnosis)}};
 }
 
 Json planarity_json(const Planarity& planarity) {
@@ -204,15 +178,6 @@ int badness(SolveStatus status) {
   return 5;
 }
 
-Json heading(const SolveRecord& record) {
-  return {{"tool", "planewright"}, {"version", kVersion}, {"input", record.input}};
-}
-
-// A file's name may be any bytes; those that are not UTF-8 are replaced.
-std::string written(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
 std::optional<ElementKind> kind_named(const std::string& text) {
   for (const ElementKind kind : {ElementKind::Point, ElementKind::Panel, ElementKind::PanelEdge})
     if (text == name(kind)) return kind;
@@ -285,7 +250,7 @@ double peak_memory_mb() {
 }
 
 std::string to_json(const SolveRecord& record) {
-  Json json = heading(record);
+  Json json = heading(record.input);
   add_settings(json, record);
   add_outcome(json, record);
   json["peak_memory_mb"] = peak_memory_mb();
@@ -294,7 +259,7 @@ std::string to_json(const SolveRecord& record) {
 }
 
 std::string to_json(const std::vector<SolveRecord>& layers) {
-  Json json = heading(layers.front());
+  Json json = heading(layers.front().input);
   const auto worst = std::max_element(layers.begin(), layers.end(), [](const auto& a, const auto& b) {
     return badness(a.solve.status) < badness(b.solve.status);
   });

@@ -10,6 +10,7 @@
 
 #include "core/base/result.h"
 #include "core/design/layer_settings.h"
+#include "core/diagnose/diagnosis.h"
 #include "core/diagnose/ill_determined.h"
 #include "core/diagnose/panel_shape.h"
 #include "core/diagnose/planarity.h"
@@ -58,6 +59,7 @@ struct SolveRecord {
   std::vector<IllDetermined> ill_determined;
   std::vector<int> self_crossing;  // panels
   std::vector<ShortEdge> short_edges;
+  Diagnosis diagnosis;
   std::optional<OffsetRecord> offset_layer;
   std::optional<BeamsRecord> beams;
   LayerCrossings crosses;  // of the panels with those of each other layer of the run

@@ -26,6 +26,10 @@ int staggered_vertex_count(int rows, int columns) {
 }
 
 Pattern staggered_triangles(int rows, int columns) {
+  return staggered_triangles(rows, columns, [](int, int) { return false; });
+}
+
+Pattern staggered_triangles(int rows, int columns, const OtherWay& other_way) {
   Pattern p;
   p.uv.resize(staggered_vertex_count(rows, columns), 2);
   p.faces.reserve(rows * (2 * columns + 1), 3 * rows * (2 * columns + 1));
@@ -47,7 +51,15 @@ Pattern staggered_triangles(int rows, int columns) {
     const bool plain_below = r % 2 == 0;
     const int plain = plain_below ? first[r] : first[r + 1], shifted = plain_below ? first[r + 1] : first[r];
     for (int k = 0; k <= columns; ++k) {
-      if (plain_below) {
+      if (k < columns && other_way(r, k)) {
+        if (plain_below) {
+          add_triangle(p.faces, plain + k, plain + k + 1, shifted + k);
+          add_triangle(p.faces, plain + k + 1, shifted + k + 1, shifted + k);
+        } else {
+          add_triangle(p.faces, shifted + k, shifted + k + 1, plain + k + 1);
+          add_triangle(p.faces, shifted + k, plain + k + 1, plain + k);
+        }
+      } else if (plain_below) {
         add_triangle(p.faces, plain + k, shifted + k + 1, shifted + k);
         if (k < columns) add_triangle(p.faces, plain + k, plain + k + 1, shifted + k + 1);
       } else {

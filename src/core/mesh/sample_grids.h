@@ -18,6 +18,11 @@ struct Pattern {
 // the vertices stand half a step aside, so that the triangles are equilateral, and inner vertices have
 // valence 6. Symmetric in u; for even `rows` also in v. rows, columns >= 1.
 Pattern staggered_triangles(int rows, int columns);
+// The same, with some diagonals flipped: with other_way(row, k), 0 <= k < columns, the two triangles on the
+// k-th step of the unshifted row at strip `row` are cut the other way, and two of the four vertices round
+// them have valence 7, two 5. These strips must not touch: flips share no triangle.
+using OtherWay = std::function<bool(int row, int k)>;
+Pattern staggered_triangles(int rows, int columns, const OtherWay& other_way);
 int staggered_vertex_count(int rows, int columns);
 
 // A regular grid on the same square, all diagonals the same way: no symmetry. rows, columns >= 1.

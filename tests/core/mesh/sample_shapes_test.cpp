@@ -27,8 +27,10 @@ TEST(SampleShapes, ListsAllOfThem) {
     names.insert(std::string(info.name));
     EXPECT_FALSE(info.description.empty());
   }
-  EXPECT_EQ(names, (std::set<std::string>{"torus", "dome", "vault", "saddle-roof", "wave-roof", "alpine-hut",
-                                          "train-station", "train-station-unsymmetric", "twisted-roof"}));
+  EXPECT_EQ(names,
+            (std::set<std::string>{"torus", "dome", "vault", "saddle-roof", "wave-roof", "alpine-hut",
+                                   "train-station", "train-station-unsymmetric", "twisted-roof", "saddle",
+                                   "straight-strip", "flat-patch-dome", "bad-saddle", "turning-strip"}));
 }
 
 TEST(SampleShapes, HaveAboutTheWishedNumberOfPanels) {
@@ -101,7 +103,7 @@ TEST(SampleShapes, TrianglesAreWellShaped) {
 
 TEST(SampleShapes, AreHexagonDominantInTheDual) {
   for (const SampleInfo& info : samples()) {
-    if (!info.triangles) continue;
+    if (!info.triangles || info.name == "bad-saddle") continue;
     const PolygonMesh mesh = make_sample(info.name).value();
     for (int v = 0; v < mesh.vertex_count(); ++v) {
       if (!mesh.is_border_vertex(v)) {
@@ -134,7 +136,7 @@ bool symmetric(const PolygonMesh& mesh, int axis) {
 }
 
 TEST(SampleShapes, SymmetricOnesAreExactlyMirrored) {
-  for (const char* name : {"vault", "saddle-roof", "wave-roof", "alpine-hut", "train-station"})
+  for (const char* name : {"vault", "saddle-roof", "wave-roof", "alpine-hut", "train-station", "saddle"})
     for (int panels : {0, 77, 1234}) {
       const PolygonMesh mesh = make_sample(name, panels).value();
       EXPECT_TRUE(symmetric(mesh, 0)) << name;
@@ -152,6 +154,50 @@ TEST(SampleShapes, TwistedRoofIsNotPlanar) {
     const Vector3d normal = newell_vector(mesh.positions(), faces[f]).normalized();
     const Vector3d side = (mesh.positions().row(faces[f][1]) - mesh.positions().row(faces[f][0])).transpose();
     EXPECT_GT(std::abs(normal.dot(side)) / side.norm(), 1e-3);
+  }
+}
+
+TEST(SampleShapes, FlawedOnesHaveACleanVersionAndPlantedPlaces) {
+  std::map<std::string_view, const SampleInfo*> by_name;
+  for (const SampleInfo& info : samples()) by_name[info.name] = &info;
+  int flawed = 0;
+  for (const SampleInfo& info : samples())
+    for (const int panels : {0, 200, 1000}) {
+      const auto places = planted_places(info.name, panels).value();
+      EXPECT_EQ(places.empty(), info.flaw_of.empty()) << info.name << " " << panels;
+      if (info.flaw_of.empty()) continue;
+      ++flawed;
+      ASSERT_TRUE(by_name.contains(info.flaw_of)) << info.name;
+      EXPECT_EQ(by_name[info.flaw_of]->triangles, info.triangles);
+      const PolygonMesh mesh = make_sample(info.name, panels).value();
+      EXPECT_EQ(panels_of(info, mesh), panels_of(info, make_sample(info.flaw_of, panels).value()));
+      for (const PlantedPlace& place : places) {
+        EXPECT_FALSE(place.what.empty());
+        EXPECT_GT(place.edges.size() + place.faces.size(), 0u);
+        for (const int edge : place.edges) EXPECT_TRUE(edge >= 0 && edge < mesh.edge_count());
+        for (const int face : place.faces) EXPECT_TRUE(face >= 0 && face < mesh.face_count());
+      }
+    }
+  EXPECT_EQ(flawed, 3 * 3);
+  EXPECT_TRUE(planted_places("flat-patch-dome", 50).value().empty());
+  EXPECT_EQ(planted_places("igloo").error().code, ErrorCode::Usage);
+}
+
+TEST(SampleShapes, PlantedPlacesAreWhereTheySay) {
+  const PolygonMesh dome = make_sample("flat-patch-dome").value();
+  const Polygons faces = dome.faces();
+  const auto flat = planted_places("flat-patch-dome").value();
+  for (const PlantedPlace& place : flat)
+    for (const int v : faces[place.faces.at(0)])
+      EXPECT_EQ(dome.positions()(v, 2), dome.positions().col(2).maxCoeff());
+  // Flipped back, the saddle is the clean one.
+  PolygonMesh saddle = make_sample("bad-saddle").value();
+  const auto flipped = planted_places("bad-saddle").value();
+  for (const PlantedPlace& place : flipped) EXPECT_TRUE(saddle.flip(place.edges.at(0)));
+  for (int v = 0; v < saddle.vertex_count(); ++v) {
+    if (!saddle.is_border_vertex(v)) {
+      EXPECT_EQ(saddle.faces_around(v).size(), 6u);
+    }
   }
 }
 
