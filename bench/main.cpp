@@ -3,6 +3,7 @@
 //   compare         Ipopt default, Ipopt tuned, tangent and auto, all to one first-order residual, over tori
 //                   of growing size and real meshes: hours, so see --only, --models and --limit
 //   live            from a slider's move to the first planar panels
+//   advice          how well predicted gains of edits rank them, and what rating them costs
 //   findings        what finding the bad places of solved panels costs, by detector
 //   warm-start      iterations of Ipopt alone, and from where the tangent solver ended
 //
@@ -20,6 +21,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "advice.h"
 #include "blas_threads.h"
 #include "compare.h"
 #include "demands.h"
@@ -52,6 +54,7 @@ int main(int argc, char** argv) {
                  "With --no-penetration or --uncrossed: cut a row off after so many seconds")
       ->check(CLI::PositiveNumber);
   app.require_subcommand(0, 1);
+  bench::declare_advice(app);
   bench::declare_compare(app);
   bench::declare_findings(app);
   bench::declare_live(app);

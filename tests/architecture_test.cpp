@@ -82,11 +82,14 @@ const std::map<std::string, std::set<std::string>>& allowed() {
                         "core/solve", "core/diagnose", "core/layers"};
     r["core/edit"] = r["core/design"];
     r["core/edit"].insert("core/design");
+    r["core/advise"] = r["core/edit"];
+    r["core/advise"].insert("core/edit");
     r["core/export"] = r["core/edit"];
     r["core/export"].insert("core/edit");
     const std::set<std::string> core = [&] {
       std::set<std::string> all = r["core/export"];
       all.insert("core/export");
+      all.insert("core/advise");
       return all;
     }();
     // The renderer draws polygons; it knows nothing of solving.

@@ -1,0 +1,45 @@
+// Advisor: suggestions for the mesh, each with the gain that solving its neighbourhood predicts, ranked.
+//
+//     gain = B(as it is) - B(edited) - deviation - 1/2 if it joins two faces
+//
+// B: score.h, of the same region after the same steps (patch_solver.h). Two rings predict the gain of a full
+// re-solve with a rank correlation of 0.8 to 0.95 (measured: planewright-bench advice); it is "about" until
+// then. Threads: pure; call it from a thread of its own. Deterministic: equal input, equal list.
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "core/advise/candidates.h"
+
+namespace planewright {
+
+struct Suggestion {
+  Candidate candidate;
+  Score before, after;
+  bool met = true;  // the local solve met every row; if not, the gain is a guess
+  // Larger is better, in mean edges squared.
+  double gain(const ScoreWeights& weights = {}) const;
+};
+
+// Best first; ties by edge, then kind of edit.
+void rank(std::vector<Suggestion>& suggestions, const ScoreWeights& weights = {});
+
+struct AdviceOptions {
+  int radius = 2;
+  ScoreWeights weights = {};
+  double least_gain = 0.1;  // suggestions below are left out
+};
+
+// Ranked. on_rated (may be empty) is told of each suggestion with enough gain as soon as it is rated, in the
+// order of the candidates; candidates that cannot be tried are left out. A stop gives what was rated so far.
+std::vector<Suggestion> rate(const PatchSolver& solver, const std::vector<Candidate>& candidates,
+                             const AdviceOptions& options = {},
+                             const std::function<void(const Suggestion&)>& on_rated = {},
+                             std::stop_token stop = {});
+
+// What a suggestion does, for a person: "Flip edge 1042".
+std::string title(const Suggestion& suggestion);
+
+}  // namespace planewright
