@@ -43,6 +43,19 @@ std::vector<char> points_of_planes(const TangentComplex& complex, const std::vec
   return points;
 }
 
+// The free region as the builder begins it: a second start, where the first is caught behind a fold.
+State started_afresh(const TangentComplex& complex, const std::vector<char>& planes,
+                     const std::vector<char>& points, State state) {
+  for (int i = 0; i < complex.plane_count(); ++i)
+    if (planes[static_cast<size_t>(i)]) {
+      state.n.row(i) = complex.normals.row(i);
+      state.h[i] = complex.offsets[i];
+    }
+  for (int j = 0; j < complex.point_count(); ++j)
+    if (points[static_cast<size_t>(j)]) state.x.row(j) = complex.preferred.row(j);
+  return state;
+}
+
 Region region_of(const TangentComplex& complex, const std::vector<char>& planes,
                  const std::vector<char>& points) {
   Region region;
@@ -219,16 +232,26 @@ Result<Trial> PatchSolver::solve(std::shared_ptr<const TangentComplex> complex, 
   const auto problem = Problem::create(complex, local, frozen);
   if (!problem) return tl::unexpected(problem.error());
 
-  Vector z = (*problem)->from_state(state);
-  AugmentedLagrangianOptions options;
-  options.max_steps = kSoftSteps;
-  options.most_penalty = kMostPenalty;
-  minimise_augmented_lagrangian(**problem, z, options, stop);
-  Trial trial;
-  trial.met = project_onto_demands(**problem, z, kProjectionSteps, stop, nullptr, kFrameTarget).met;
-  trial.state = (*problem)->to_state({z.data(), static_cast<size_t>(z.size())});
-  trial.score = defects_of(*complex, trial.state, region_of(*complex, planes, points));
-  trial.score.energy = (*problem)->objective(z.data());
+  const Region region = region_of(*complex, planes, points);
+  TangentCache cache;
+  const auto from = [&](const State& start) {
+    Vector z = (*problem)->from_state(start);
+    AugmentedLagrangianOptions options;
+    options.max_steps = kSoftSteps;
+    options.most_penalty = kMostPenalty;
+    options.cache = &cache;
+    minimise_augmented_lagrangian(**problem, z, options, stop);
+    Trial trial;
+    trial.met = project_onto_demands(**problem, z, kProjectionSteps, stop, &cache, kFrameTarget).met;
+    trial.state = (*problem)->to_state({z.data(), static_cast<size_t>(z.size())});
+    trial.score = defects_of(*complex, trial.state, region);
+    trial.score.energy = (*problem)->objective(z.data());
+    return trial;
+  };
+  Trial trial = from(state);
+  if (Trial afresh = from(started_afresh(*complex, planes, points, state));
+      std::pair(!afresh.met, total(afresh.score)) < std::pair(!trial.met, total(trial.score)))
+    trial = std::move(afresh);
   trial.complex = std::move(complex);
   trial.from_whole = from_whole;
   return trial;
