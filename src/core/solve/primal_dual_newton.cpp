@@ -104,7 +104,6 @@ class PrimalDualNewton {
     }
     keep_best();
     multipliers_ = rows_.multipliers;
-    report_.damping = damping_;
     return report_;
   }
 
@@ -284,6 +283,7 @@ class PrimalDualNewton {
 
   void accepted(double ratio, double length) {
     ++report_.steps;
+    report_.damping = damping_;
     damping_ *= ratio > 0.75 ? 0.3 : ratio > 0.25 ? 0.7 : 2.0;
     damping_ = std::clamp(damping_, kLeastDamping, kMostDamping);
     if (!gauss_newton_) raise_curvature();
