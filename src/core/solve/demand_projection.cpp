@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/solve/tangent_equations.h"
 
@@ -40,7 +41,7 @@ class DemandProjector {
     measure(z_);
     double phi = phi_;
     bool rejected = false;
-    while (!finished() && report.steps < max_steps && !stop.stop_requested()) {
+    while (std::isfinite(phi) && !finished() && report.steps < max_steps && !stop.stop_requested()) {
       equations_.linearise(z_, false);
       const double damping = std::clamp(2.0 * factor * phi * share_, kLeastDamping, ceiling);
       const Vector step = find_step(damping, phi < kCloseEnough || rejected, report.factorisations);
@@ -119,7 +120,10 @@ class DemandProjector {
 
   double incidences() const {
     double worst = 0.0;
-    for (int row = 0; row < problem_.planarity_rows(); ++row) worst = std::max(worst, std::abs(values_[row]));
+    for (int row = 0; row < problem_.planarity_rows(); ++row) {
+      if (std::isnan(values_[row])) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, std::abs(values_[row]));
+    }
     return worst;
   }
 
@@ -143,7 +147,8 @@ class DemandProjector {
       violation_ = std::max(violation_, v);
       if (bounds.low == bounds.high) incidence_ = std::max(incidence_, v);
     }
-    if (!std::isfinite(phi_)) phi_ = std::numeric_limits<double>::infinity();
+    // Comparisons would take a row that is not a number for met.
+    if (!std::isfinite(phi_)) phi_ = violation_ = incidence_ = std::numeric_limits<double>::infinity();
   }
 
   // Rows that a step has to bring to their aim: those that miss it, and (active_sets) those that would.

@@ -34,7 +34,8 @@ inline constexpr int kDemandProjectionSteps = 120;
 // is only looked at.
 inline constexpr double kRoundingTarget = 1e-13, kFrameTarget = 1e-11;
 
-// z: normalised, changed in place; each accepted step lowers Phi. max_steps: accepted steps, chord steps not
+// z: normalised, changed in place; each accepted step lowers Phi. Where a row is not a number at z, nothing is
+// changed and the violations are infinite. max_steps: accepted steps, chord steps not
 // counted. cache may be null. target: mean edges.
 DemandProjectionReport project_onto_demands(const Problem& problem, Vector& z,
                                             int max_steps = kDemandProjectionSteps, std::stop_token stop = {},
