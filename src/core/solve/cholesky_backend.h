@@ -12,8 +12,8 @@ namespace planewright {
 class CholeskyBackend {
  public:
   virtual ~CholeskyBackend() = default;
-  virtual bool factorise() = 0;  // `values`; false: error, out_of_memory and negative_pivots say why
-  virtual void solve(Vector& right) = 0;
+  virtual bool factorise() = 0;           // `values`; false: error, out_of_memory and negative_pivots say why
+  virtual void solve(Vector& right) = 0;  // NaN where it fails
 
   std::vector<double> values;  // one per entry of the pattern
   std::string error;

@@ -45,6 +45,10 @@ class DemandProjector {
       equations_.linearise(z_, false);
       const double damping = std::clamp(2.0 * factor * phi * share_, kLeastDamping, ceiling);
       const Vector step = find_step(damping, phi < kCloseEnough || rejected, report.factorisations);
+      if (step.size() == 0 && equations_.out_of_memory()) {
+        report.out_of_memory = true;
+        break;
+      }
       double trial_phi = std::numeric_limits<double>::infinity();
       Vector trial;
       if (step.size() > 0) {

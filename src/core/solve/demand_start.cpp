@@ -70,10 +70,13 @@ DemandStart find_demand_start(const Problem& problem, const Vector& z, const Dem
     left -= options.max_steps;
     options.most_penalty = attempt.most_penalty;
     options.tell = std::ref(teller);
-    minimise_augmented_lagrangian(problem, stepped, options, stop);
+    const AugmentedLagrangianReport softened = minimise_augmented_lagrangian(problem, stepped, options, stop);
     start.z = stepped;
-    start.met = project_onto_demands(problem, start.z, kDemandProjectionSteps, stop).met;
-    if (start.met || left <= 0 || stop.stop_requested()) break;
+    const DemandProjectionReport report =
+        project_onto_demands(problem, start.z, kDemandProjectionSteps, stop);
+    start.met = report.met;
+    start.out_of_memory = softened.out_of_memory || report.out_of_memory;
+    if (start.met || start.out_of_memory || left <= 0 || stop.stop_requested()) break;
   }
   start.steps = teller.count;
   return start;

@@ -15,9 +15,10 @@
 namespace planewright {
 
 struct DemandStart {
-  Vector z;          // on all rows, as far as the projection came: the least that the solve gives
-  bool met = false;  // whether it meets every row
-  int steps = 0;     // iterations told to the observer
+  Vector z;                    // on all rows, as far as the projection came: the least that the solve gives
+  bool met = false;            // whether it meets every row
+  int steps = 0;               // iterations told to the observer
+  bool out_of_memory = false;  // which is why it meets them not
 };
 
 struct DemandStartOptions {

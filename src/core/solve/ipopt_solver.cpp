@@ -417,6 +417,9 @@ class IpoptSolver final : public Solver {
         } else if (demands->met) {
           report.status = SolveStatus::Planar;
           report.stop_reason = kDraftReason;
+        } else if (demands->out_of_memory) {
+          report.status = SolveStatus::Failed;
+          report.stop_reason = "out of memory";
         } else {
           report.status = SolveStatus::Infeasible;
           report.stop_reason = "the demands could not be met together from here";

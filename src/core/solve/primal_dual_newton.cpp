@@ -253,6 +253,10 @@ class PrimalDualNewton {
         continue;
       }
       const Vector step = equations_->solve(-equations_->gradient());
+      if (step.size() == 0 && equations_->out_of_memory()) {
+        report_.end = NewtonEnd::OutOfMemory;
+        return false;
+      }
       double ratio = -1.0, length = 0.0;
       if ((finite = step.size() > 0)) {
         length = step.lpNorm<Eigen::Infinity>();

@@ -43,24 +43,17 @@ class TangentSolver final : public Solver {
     const auto gate = enter_mumps_gate();
     SolveReport report;
     report.solver = "tangent";
-    Run run{problem,
-            options,
-            problem.from_state(start),
-            Vector::Zero(problem.rows()),
-            PlanarFrames(problem, observer, cache_, stop),
-            stop};
+    PlanarFrames frames(problem, observer, cache_, stop);
     try {
+      Run run{problem, options, problem.from_state(start), Vector::Zero(problem.rows()), frames, stop};
       minimise(run, report);
-      report.iterations = run.frames.told();
+      report.iterations = frames.told();
       // What was shown last is planar already: whoever stops does not wait for another projection.
-      if (report.status == SolveStatus::Stopped && run.frames.newest()) run.z = *run.frames.newest();
+      if (report.status == SolveStatus::Stopped && frames.newest()) run.z = *frames.newest();
       finish_solve(problem, run.z, run.multipliers / share(problem), options, report, &cache_);
       remember(problem, report);
     } catch (const std::bad_alloc&) {
-      cache_.clear();
-      report.status = SolveStatus::Failed;
-      report.stop_reason = "out of memory; the state it began with is kept";
-      report.state = start;
+      report = keep_what_there_is(problem, start, frames);
     }
     report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
     return report;
@@ -71,10 +64,33 @@ class TangentSolver final : public Solver {
     const Problem& problem;
     const SolveOptions& options;
     Vector z, multipliers;  // f relative to the largest weight
-    PlanarFrames frames;
+    PlanarFrames& frames;
     std::stop_token stop;
   };
   static double share(const Problem& problem) { return 1.0 / problem.largest_weight(); }
+
+  // The report of a solve that ran out of memory; what the solver kept for the next one is freed first.
+  SolveReport keep_what_there_is(const Problem& problem, const State& start, const PlanarFrames& frames) {
+    cache_.clear();
+    multipliers_.resize(0);
+    remembered_rows_.clear();
+    SolveReport report;
+    report.solver = "tangent";
+    report.status = SolveStatus::Failed;
+    report.iterations = frames.told();
+    if (const auto& shown = frames.newest()) {
+      report.state = problem.to_state({shown->data(), static_cast<size_t>(shown->size())});
+      report.stop_reason = "out of memory; the panels shown last are kept";
+    } else {
+      report.state = start;
+      report.stop_reason = "out of memory; the state it began with is kept";
+    }
+    const Vector incidences = incidence_residuals(problem.complex(), report.state);
+    if (incidences.size() > 0)
+      report.incidence_residual = incidences.lpNorm<Eigen::Infinity>() / problem.complex().mean_edge;
+    report.first_order_residual = std::numeric_limits<double>::quiet_NaN();  // not measured
+    return report;
+  }
 
   void minimise(Run& run, SolveReport& report) {
     const Problem& problem = run.problem;
@@ -174,8 +190,10 @@ class TangentSolver final : public Solver {
         return false;
       }
       projected = run.z;
-      if (project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_).met)
-        return true;
+      const DemandProjectionReport projection =
+          project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_);
+      if (projection.out_of_memory) throw std::bad_alloc();
+      if (projection.met) return true;
       if (steps_left(run) <= 0) break;
     }
     run.z = projected;
