@@ -44,7 +44,7 @@ class DemandProjector {
     while (std::isfinite(phi) && !finished() && report.steps < max_steps && !stop.stop_requested()) {
       equations_.linearise(z_, false);
       const double damping = std::clamp(2.0 * factor * phi * share_, kLeastDamping, ceiling);
-      const Vector step = find_step(damping, phi < kCloseEnough || rejected, report.factorisations);
+      const Vector step = find_step(damping, phi < kCloseEnough || rejected, stop, report.factorisations);
       if (step.size() == 0 && equations_.out_of_memory()) {
         report.out_of_memory = true;
         break;
@@ -156,7 +156,7 @@ class DemandProjector {
   }
 
   // Rows that a step has to bring to their aim: those that miss it, and (active_sets) those that would.
-  Vector find_step(double damping, bool active_sets, int& factorisations) {
+  Vector find_step(double damping, bool active_sets, const std::stop_token& stop, int& factorisations) {
     const auto rows = static_cast<size_t>(problem_.rows());
     weights_.assign(rows, 0.0);
     slopes_.assign(rows, 0.0);
@@ -173,7 +173,7 @@ class DemandProjector {
       equations_.assemble(0.0, weights_, slopes_);
       ++factorisations;
       step = equations_.step(damping, damping);
-      if (step.size() == 0 || !active_sets || round == kActiveSets) return step;
+      if (step.size() == 0 || !active_sets || round == kActiveSets || stop.stop_requested()) return step;
       const Vector change = equations_.constraint_change(step);
       bool grown = false;
       for (size_t row = 0; row < rows; ++row) {

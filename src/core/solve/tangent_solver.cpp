@@ -48,9 +48,13 @@ class TangentSolver final : public Solver {
       Run run{problem, options, problem.from_state(start), Vector::Zero(problem.rows()), frames, stop};
       minimise(run, report);
       report.iterations = frames.told();
+      SolveOptions finishing = options;
       // What was shown last is planar already: whoever stops does not wait for another projection.
-      if (report.status == SolveStatus::Stopped && frames.newest()) run.z = *frames.newest();
-      finish_solve(problem, run.z, run.multipliers / share(problem), options, report, &cache_);
+      if (report.status == SolveStatus::Stopped && frames.newest()) {
+        run.z = *frames.newest();
+        finishing.abandoned = stop;
+      }
+      finish_solve(problem, run.z, run.multipliers / share(problem), finishing, report, &cache_);
       remember(problem, report);
     } catch (const std::bad_alloc&) {
       report = keep_what_there_is(problem, start, frames);
@@ -184,21 +188,26 @@ class TangentSolver final : public Solver {
       if (left-- == 0) break;
       const AugmentedLagrangianReport softened = soften(run, attempt.steps, attempt.most_penalty);
       if (softened.out_of_memory) throw std::bad_alloc();
-      if (run.stop.stop_requested()) {
-        report.status = SolveStatus::Stopped;
-        report.stop_reason = "stopped by the user";
-        return false;
-      }
+      if (run.stop.stop_requested()) return stopped(report);
       projected = run.z;
       const DemandProjectionReport projection =
           project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_);
       if (projection.out_of_memory) throw std::bad_alloc();
       if (projection.met) return true;
+      if (run.stop.stop_requested()) return stopped(report);
       if (steps_left(run) <= 0) break;
     }
     run.z = projected;
     report.status = SolveStatus::Infeasible;
-    report.stop_reason = "the demands could not be met together from here";
+    report.stop_reason = steps_left(run) > 0 ? "the demands could not be met together from here"
+                                             : "the limit of " + std::to_string(run.options.max_iterations) +
+                                                   " iterations was reached before the demands were met";
+    return false;
+  }
+
+  static bool stopped(SolveReport& report) {
+    report.status = SolveStatus::Stopped;
+    report.stop_reason = "stopped by the user";
     return false;
   }
 
@@ -224,7 +233,9 @@ class TangentSolver final : public Solver {
         minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
     // Where planes are nearly parallel, what rows still miss moves points far, and with them the slope: then
     // a few more steps from the exact state.
-    for (int round = 0; round < kPolishingRounds && newton.end == NewtonEnd::Converged; ++round) {
+    for (int round = 0;
+         round < kPolishingRounds && newton.end == NewtonEnd::Converged && !run.stop.stop_requested();
+         ++round) {
       Vector exact = run.z;
       project_onto_demands(run.problem, exact, kDemandProjectionSteps, run.stop, &cache_);
       const Vector multipliers =
