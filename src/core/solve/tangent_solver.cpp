@@ -161,7 +161,7 @@ class TangentSolver final : public Solver {
       run.multipliers.setZero();
       return false;
     }
-    damping_ = newton.damping;
+    remember_damping(newton);
     conclude(run, newton, report);
     return true;
   }
@@ -250,8 +250,14 @@ class TangentSolver final : public Solver {
       newton =
           minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
     }
-    damping_ = newton.damping;
+    remember_damping(newton);
     conclude(run, newton, report);
+  }
+  // Where no step succeeded the damping is as high as it goes, and would cripple the next solve's steps.
+  void remember_damping(const NewtonReport& newton) {
+    const bool stepped = newton.end == NewtonEnd::Converged || newton.end == NewtonEnd::Flat ||
+                         newton.end == NewtonEnd::StepLimit || newton.end == NewtonEnd::Stopped;
+    damping_ = stepped ? newton.damping : 0.0;
   }
   static constexpr int kPolishingRounds = 3;
 
@@ -294,6 +300,7 @@ class TangentSolver final : public Solver {
 
   // Multipliers of the last solve, for the next one of the same rows.
   void remember(const Problem& problem, const SolveReport& report) {
+    if (!report.multipliers.allFinite()) return;  // would be every later solve's start
     multipliers_ = report.multipliers * share(problem);
     remembered_rows_ = problem.jacobian_pattern().columns;
   }
@@ -311,7 +318,7 @@ class TangentSolver final : public Solver {
 
   TangentCache cache_;
   Vector multipliers_;    // f relative to the largest weight
-  double damping_ = 0.0;  // that the last solve ended with
+  double damping_ = 0.0;  // that the last solve ended with; 0: none to begin with
   std::vector<int> remembered_rows_;
 };
 
