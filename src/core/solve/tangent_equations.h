@@ -102,6 +102,8 @@ class TangentEquations {
   // z moved along a step; normals are made unit.
   Vector moved(const Vector& z, const Vector& step) const;
 
+  // Whether energies couple points and EnergyCoupling::Dropped left that out of the factors.
+  bool drops_couplings() const { return pattern().incomplete(); }
   int unknowns() const { return 3 * pattern().nodes(); }
   const Eigen::Matrix<double, 3, 2>& tangents(int plane) const {
     return tangents_[static_cast<size_t>(plane)];
