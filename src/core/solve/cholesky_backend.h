@@ -1,4 +1,5 @@
-// CholeskyBackend: what SparseCholesky (sparse_cholesky.h) hands its matrix to. Internal to solve/.
+// CholeskyBackend: what SparseCholesky (sparse_cholesky.h) hands its matrix to. Indices 0-based, lower
+// triangle, repeated entries added up; threads as there. Internal to solve/.
 #pragma once
 
 #include <memory>

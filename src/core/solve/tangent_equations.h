@@ -17,8 +17,8 @@
 //
 // The pattern depends on stencils alone, so one analysis serves every step and, handed on in a TangentCache,
 // every later solve of a problem of the same topology. Units: normalised (layout.h). Threads: one at a time;
-// factorisations of whole problems go
-// through the MUMPS gate.
+// factorisations of whole problems go through the MUMPS gate. Of equations that share a cache,
+// factorise() of one may void the factors of the others.
 #pragma once
 
 #include <memory>
