@@ -8,6 +8,7 @@
 
 #include "core/solve/augmented_lagrangian.h"
 #include "core/solve/demand_projection.h"
+#include "core/solve/demand_start.h"
 #include "core/solve/finish_solve.h"
 #include "core/solve/multipliers.h"
 #include "core/solve/mumps_gate.h"
@@ -23,15 +24,9 @@ using Clock = std::chrono::steady_clock;
 // Factorisations of the augmented Lagrangian: enough to find the valley; Newton steps then go along it
 // faster.
 constexpr int kSoftSteps = 20;
-// With demands: more steps, softer and stiffer, where the projection after the first attempt meets them not.
-struct Attempt {
-  int steps;
-  double most_penalty;
-};
-constexpr Attempt kAttempts[] = {{26, 3e3}, {60, 1e4}, {120, 1e4}};
-constexpr int kAttemptsNearSolution = 2;  // low in energy already: what these do not meet, more seldom do
-// A projection that moves a point farther than this, edges, has left the solution that it was near to.
-constexpr double kNear = 0.5;
+constexpr double kSoftMostPenalty = 3e3;
+// With demands, of kDemandAttempts: low in energy already, what these do not meet, more seldom do.
+constexpr int kAttemptsNearSolution = 2;
 // Share of the tolerance at which steps end, so that the projection afterwards has room.
 constexpr double kStopShare = 0.9;
 
@@ -114,7 +109,7 @@ class TangentSolver final : public Solver {
     if (problem.has_demands()) {
       if (!find_demands(run, report) || drafted(run, report)) return;
     } else {
-      soften(run, kSoftSteps, kAttempts[0].most_penalty);
+      soften(run, kSoftSteps, kSoftMostPenalty);
     }
     newton(run, report, Start::Valley);
   }
@@ -135,7 +130,7 @@ class TangentSolver final : public Solver {
     Vector projected = run.z;
     const DemandProjectionReport projection =
         project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_);
-    if (!projection.met || projection.move > kNear) return false;
+    if (!projection.met || projection.move > kNearSolution) return false;
     run.z = projected;
     return true;
   }
@@ -183,8 +178,9 @@ class TangentSolver final : public Solver {
   // Softly held demands, until a projection meets them all. False if none does.
   bool find_demands(Run& run, SolveReport& report) {
     Vector projected;
-    int left = run.options.near_solution ? kAttemptsNearSolution : static_cast<int>(std::size(kAttempts));
-    for (const Attempt& attempt : kAttempts) {
+    int left =
+        run.options.near_solution ? kAttemptsNearSolution : static_cast<int>(std::size(kDemandAttempts));
+    for (const DemandAttempt& attempt : kDemandAttempts) {
       if (left-- == 0) break;
       const AugmentedLagrangianReport softened = soften(run, attempt.steps, attempt.most_penalty);
       if (softened.out_of_memory) throw std::bad_alloc();
