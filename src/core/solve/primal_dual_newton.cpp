@@ -116,6 +116,7 @@ class PrimalDualNewton {
     equations_ = std::make_unique<TangentEquations>(
         problem_, dropped ? EnergyCoupling::Dropped : EnergyCoupling::Exact, &cache_);
     equations_->set_iterative_tolerance(kIterativeTolerance);
+    equations_->set_stop(stop_);
   }
   // Precondition: Gauss-Newton steps still, whose equations drop the coupling of points.
   bool too_large() const {

@@ -382,7 +382,7 @@ Vector TangentEquations::conjugate_gradients(const Vector& right) {
   const double goal = iterative_tolerance_ * right.norm();
   Vector y = direct_solve(r), d = y;
   double ry = r.dot(y);
-  for (int k = 0; k < kMostIterations && r.norm() > goal; ++k) {
+  for (int k = 0; k < kMostIterations && r.norm() > goal && !stop_.stop_requested(); ++k) {
     const Vector hd = multiply(d);
     const double curvature = d.dot(hd);
     if (!(curvature > 0.0)) break;
