@@ -131,9 +131,10 @@ class DemandProjector {
     return worst;
   }
 
-  // Signed distance from what a row aims at; 0 inside.
+  // Signed distance from what a row aims at; 0 inside, NaN where it could not be evaluated.
   double miss(int row, double value) const {
     const Bounds& aim = aim_[static_cast<size_t>(row)];
+    if (std::isnan(value)) return value;
     return value < aim.low ? value - aim.low : value > aim.high ? value - aim.high : 0.0;
   }
 
