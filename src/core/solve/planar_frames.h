@@ -34,6 +34,8 @@ class PlanarFrames {
   int told() const { return number_; }  // steps so far
   // The newest planar state handed out (normalised); none before there was one.
   const std::optional<Vector>& newest() const { return newest_; }
+  // Whether it meets every demand too.
+  bool newest_meets_demands() const { return newest_meets_demands_; }
 
  private:
   void hand_out(const Vector& z, double first_order, double step, bool with_state);
@@ -45,6 +47,7 @@ class PlanarFrames {
   std::chrono::steady_clock::time_point begun_;
   int number_ = 0, since_frame_ = 0;
   std::optional<Vector> newest_;
+  bool newest_meets_demands_ = false;
 };
 
 }  // namespace planewright

@@ -44,10 +44,11 @@ class TangentSolver final : public Solver {
       minimise(run, report);
       report.iterations = frames.told();
       SolveOptions finishing = options;
-      // What was shown last is planar already: whoever stops does not wait for another projection.
+      // What was shown last is planar already: to rounding it takes one factorisation. Where the frame's
+      // projection did not meet the demands, whoever stops does not wait for another one.
       if (report.status == SolveStatus::Stopped && frames.newest()) {
         run.z = *frames.newest();
-        finishing.abandoned = stop;
+        if (!frames.newest_meets_demands()) finishing.abandoned = stop;
       }
       finish_solve(problem, run.z, run.multipliers / share(problem), finishing, report, &cache_);
       remember(problem, report);

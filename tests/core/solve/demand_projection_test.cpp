@@ -102,13 +102,16 @@ TEST(DemandProjection, ARowThatIsNoNumberIsNotMet) {
   z[problem->layout().h(3)] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(worst(*problem, z), std::numeric_limits<double>::infinity());
   EXPECT_FALSE(problem->violated_rows(z.data(), 1e-9).empty());
-  EXPECT_EQ(problem->first_order_residual(z.data(), Vector::Ones(problem->rows()).eval().data()),
-            std::numeric_limits<double>::infinity());
   const auto report = project_onto_demands(*problem, z);
   EXPECT_FALSE(report.met);
   EXPECT_FALSE(report.planar);
   EXPECT_EQ(report.violation, std::numeric_limits<double>::infinity());
   EXPECT_EQ(report.factorisations, 0);
+
+  z[problem->layout().x(2)] = std::numeric_limits<double>::quiet_NaN();
+  const Vector multipliers = Vector::Ones(problem->rows());
+  EXPECT_EQ(problem->first_order_residual(z.data(), multipliers.data()),
+            std::numeric_limits<double>::infinity());
 }
 
 TEST(DemandProjection, IsDeterministic) {

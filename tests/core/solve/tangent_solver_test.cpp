@@ -285,7 +285,7 @@ TEST(TangentSolver, StopsInTheMiddleWithAPlanarState) {
   }
 }
 
-// What is planar already is not projected again, however far its demands are out of reach.
+// To rounding, but with no further search for its demands.
 TEST(TangentSolver, AStopGivesTheStateShownLast) {
   const SharedComplex complex = sample_complex("train-station", 100, 0.1);
   const auto problem =
@@ -301,7 +301,7 @@ TEST(TangentSolver, AStopGivesTheStateShownLast) {
         tangent_solve(*problem, initial_state(*complex), options, &recorder, stop.get_token());
     ASSERT_EQ(report.status, SolveStatus::Stopped) << at << ": " << report.stop_reason;
     ASSERT_FALSE(recorder.states.empty()) << at;
-    EXPECT_LE(distance(*complex, report.state, recorder.states.back()), 1e-13) << at;
+    EXPECT_LE(distance(*complex, report.state, recorder.states.back()), 1e-9) << at;
   }
 }
 
