@@ -285,6 +285,10 @@ class LayerSolver {
 
   void conclude(SolveReport& report) {
     if (conflicts_.empty()) return;
+    if (report.status == SolveStatus::Stopped) {
+      report.stop_reason += " while demands that contradict the others were looked for";
+      return;
+    }
     if (!usable(report)) {
       report.stop_reason += "; giving up " + std::to_string(conflicts_.size()) + " demands was not enough";
       return;

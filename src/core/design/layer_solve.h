@@ -3,11 +3,9 @@
 //
 //   - closeness: foot points are taken anew until none moves by more than kFootSettled edges;
 //   - no_penetration: panels that still cross the mesh get separating planes and a re-solve, until a
-//   geometric
-//     test (diagnose/crossings.h) counts none;
+//     geometric test (diagnose/crossings.h) counts none;
 //   - demands that cannot be met together: a set of them is found without which the solve succeeds; the
-//   report
-//     is Infeasible, names the set, and keeps that state.
+//     report is Infeasible, names the set, and keeps that state.
 //
 // Threads: as Solver; the observer is called on the solving thread, iterations of all rounds count on.
 #pragma once

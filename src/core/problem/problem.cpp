@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <set>
 
@@ -77,7 +78,9 @@ Result<std::vector<double>> normalised_values(const DemandInfo& info, const Dema
   return values;
 }
 
+// Infinite where the row could not be evaluated: comparisons would take a NaN for met.
 double violation(double value, const Bounds& bounds) {
+  if (std::isnan(value)) return std::numeric_limits<double>::infinity();
   return std::max({bounds.low - value, value - bounds.high, 0.0});
 }
 
@@ -558,7 +561,10 @@ double Problem::first_order_residual(const double* z, const double* multipliers)
     slope[jacobian_.columns[k]] += values[k] * multipliers[jacobian_.rows[k]];
   double largest = 0.0;
   for (int v = 0; v < variables(); ++v)
-    if (layout_.is_free(v)) largest = std::max(largest, std::abs(slope[v]));
+    if (layout_.is_free(v)) {
+      if (std::isnan(slope[v])) return std::numeric_limits<double>::infinity();
+      largest = std::max(largest, std::abs(slope[v]));
+    }
   return largest;
 }
 

@@ -127,7 +127,7 @@ class Problem {
   };
   std::vector<EnergyShare> energy_shares(const double* z) const;
   // Per demand, in the order of the rows; demands of the same name are one entry. Alternatives count as
-  // waived_at(z) says.
+  // waived_at(z) says. A row that is not a number at z is violated by infinity.
   struct ConstraintViolation {
     std::string name, unit;
     double max_violation = 0.0;
@@ -143,7 +143,8 @@ class Problem {
   };
   std::vector<RowViolation> violated_rows(const double* z, double tolerance) const;  // ascending
 
-  // Largest |d(f + multipliers . c)/dz| over the free unknowns: 0 at a first-order stationary point.
+  // Largest |d(f + multipliers . c)/dz| over the free unknowns: 0 at a first-order stationary point, infinite
+  // where a slope is not a number.
   double first_order_residual(const double* z, const double* multipliers) const;
 
  private:

@@ -37,6 +37,7 @@ class AugmentedLagrangian {
     for (int i = 0; i < problem.layout().planes; ++i)
       if (problem.layout().is_free(problem.layout().n(i))) z_.segment<3>(problem.layout().n(i)).normalize();
     equations_.set_iterative_tolerance(kIterativeTolerance);
+    equations_.set_stop(stop_);
   }
 
   AugmentedLagrangianReport run() {

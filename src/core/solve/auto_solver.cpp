@@ -27,6 +27,8 @@ class NumbersOnly final : public SolveObserver {
   double seconds_before_;
 };
 
+constexpr const char* kUnconfirmed = "; stopped before Ipopt had confirmed it";
+
 double energy_of(const SolveReport& report) {
   double sum = 0.0;
   for (const auto& energy : report.energies) sum += energy.value;
@@ -43,6 +45,10 @@ class AutoSolver final : public Solver {
     // Demands that the tangent solver could not meet, Ipopt, which begins in the same way, cannot either.
     if (begun.status == SolveStatus::Infeasible || (usable && options.draft && problem.has_demands()))
       return begun;
+    if (usable && stop.stop_requested()) {
+      begun.stop_reason += kUnconfirmed;
+      return begun;
+    }
 
     SolveOptions confirming = options;
     confirming.max_iterations -= begun.iterations;
@@ -57,7 +63,7 @@ class AutoSolver final : public Solver {
       begun.iterations = confirmed.iterations;
       begun.seconds = confirmed.seconds;
       begun.stop_reason += confirmed.status == SolveStatus::Stopped
-                               ? "; stopped before Ipopt had confirmed it"
+                               ? kUnconfirmed
                                : "; Ipopt found nothing better from there (" + confirmed.stop_reason + ")";
       return begun;
     }

@@ -1,4 +1,5 @@
-// CholeskyBackend: what SparseCholesky (sparse_cholesky.h) hands its matrix to. Internal to solve/.
+// CholeskyBackend: what SparseCholesky (sparse_cholesky.h) hands its matrix to. Indices 0-based, lower
+// triangle, repeated entries added up; threads as there. Internal to solve/.
 #pragma once
 
 #include <memory>
@@ -12,8 +13,8 @@ namespace planewright {
 class CholeskyBackend {
  public:
   virtual ~CholeskyBackend() = default;
-  virtual bool factorise() = 0;  // `values`; false: error, out_of_memory and negative_pivots say why
-  virtual void solve(Vector& right) = 0;
+  virtual bool factorise() = 0;           // `values`; false: error, out_of_memory and negative_pivots say why
+  virtual void solve(Vector& right) = 0;  // NaN where it fails
 
   std::vector<double> values;  // one per entry of the pattern
   std::string error;

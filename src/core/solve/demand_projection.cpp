@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/solve/tangent_equations.h"
 
@@ -40,10 +41,14 @@ class DemandProjector {
     measure(z_);
     double phi = phi_;
     bool rejected = false;
-    while (!finished() && report.steps < max_steps && !stop.stop_requested()) {
+    while (std::isfinite(phi) && !finished() && report.steps < max_steps && !stop.stop_requested()) {
       equations_.linearise(z_, false);
       const double damping = std::clamp(2.0 * factor * phi * share_, kLeastDamping, ceiling);
-      const Vector step = find_step(damping, phi < kCloseEnough || rejected, report.factorisations);
+      const Vector step = find_step(damping, phi < kCloseEnough || rejected, stop, report.factorisations);
+      if (step.size() == 0 && equations_.out_of_memory()) {
+        report.out_of_memory = true;
+        break;
+      }
       double trial_phi = std::numeric_limits<double>::infinity();
       Vector trial;
       if (step.size() > 0) {
@@ -119,13 +124,17 @@ class DemandProjector {
 
   double incidences() const {
     double worst = 0.0;
-    for (int row = 0; row < problem_.planarity_rows(); ++row) worst = std::max(worst, std::abs(values_[row]));
+    for (int row = 0; row < problem_.planarity_rows(); ++row) {
+      if (std::isnan(values_[row])) return std::numeric_limits<double>::infinity();
+      worst = std::max(worst, std::abs(values_[row]));
+    }
     return worst;
   }
 
-  // Signed distance from what a row aims at; 0 inside.
+  // Signed distance from what a row aims at; 0 inside, NaN where it could not be evaluated.
   double miss(int row, double value) const {
     const Bounds& aim = aim_[static_cast<size_t>(row)];
+    if (std::isnan(value)) return value;
     return value < aim.low ? value - aim.low : value > aim.high ? value - aim.high : 0.0;
   }
 
@@ -143,11 +152,12 @@ class DemandProjector {
       violation_ = std::max(violation_, v);
       if (bounds.low == bounds.high) incidence_ = std::max(incidence_, v);
     }
-    if (!std::isfinite(phi_)) phi_ = std::numeric_limits<double>::infinity();
+    // Comparisons would take a row that is not a number for met.
+    if (!std::isfinite(phi_)) phi_ = violation_ = incidence_ = std::numeric_limits<double>::infinity();
   }
 
   // Rows that a step has to bring to their aim: those that miss it, and (active_sets) those that would.
-  Vector find_step(double damping, bool active_sets, int& factorisations) {
+  Vector find_step(double damping, bool active_sets, const std::stop_token& stop, int& factorisations) {
     const auto rows = static_cast<size_t>(problem_.rows());
     weights_.assign(rows, 0.0);
     slopes_.assign(rows, 0.0);
@@ -164,7 +174,7 @@ class DemandProjector {
       equations_.assemble(0.0, weights_, slopes_);
       ++factorisations;
       step = equations_.step(damping, damping);
-      if (step.size() == 0 || !active_sets || round == kActiveSets) return step;
+      if (step.size() == 0 || !active_sets || round == kActiveSets || stop.stop_requested()) return step;
       const Vector change = equations_.constraint_change(step);
       bool grown = false;
       for (size_t row = 0; row < rows; ++row) {

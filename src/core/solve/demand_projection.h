@@ -24,8 +24,9 @@ struct DemandProjectionReport {
   double violation = 0.0;
   double move = 0.0;  // farthest that a point moved, mean edges
   int steps = 0, factorisations = 0;
-  bool met = false;     // every row within kDemandTolerance
-  bool planar = false;  // every incidence is, demands or not
+  bool met = false;            // every row within kDemandTolerance
+  bool planar = false;         // every incidence is, demands or not
+  bool out_of_memory = false;  // what ended it
 };
 
 inline constexpr double kDemandTolerance = 1e-9;  // mean edges
@@ -34,8 +35,9 @@ inline constexpr int kDemandProjectionSteps = 120;
 // is only looked at.
 inline constexpr double kRoundingTarget = 1e-13, kFrameTarget = 1e-11;
 
-// z: normalised, changed in place; each accepted step lowers Phi. max_steps: accepted steps, chord steps not
-// counted. cache may be null. target: mean edges.
+// z: normalised, changed in place; each accepted step lowers Phi. Where a row is not a number at z, nothing
+// is changed and the violations are infinite. max_steps: accepted steps, chord steps not counted. cache may
+// be null. target: mean edges.
 DemandProjectionReport project_onto_demands(const Problem& problem, Vector& z,
                                             int max_steps = kDemandProjectionSteps, std::stop_token stop = {},
                                             TangentCache* cache = nullptr, double target = kRoundingTarget);

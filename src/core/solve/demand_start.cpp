@@ -38,17 +38,6 @@ class Teller {
   std::chrono::steady_clock::time_point begun_ = std::chrono::steady_clock::now();
 };
 
-// Steps (factorisations) of each attempt, and how stiff its penalty may get. More steps find lower energies
-// with smaller violations, which a projection that stalled before can close.
-struct Attempt {
-  int steps;
-  double most_penalty;
-};
-constexpr Attempt kAttempts[] = {{26, 3e3}, {60, 1e4}, {120, 1e4}};
-
-// A projection that moves a point farther than this, edges, has left the solution that it was near to.
-constexpr double kNear = 0.5;
-
 }  // namespace
 
 DemandStart find_demand_start(const Problem& problem, const Vector& z, const DemandStartOptions& limits,
@@ -58,22 +47,25 @@ DemandStart find_demand_start(const Problem& problem, const Vector& z, const Dem
     start.z = z;
     const DemandProjectionReport report =
         project_onto_demands(problem, start.z, kDemandProjectionSteps, stop);
-    start.met = report.met && report.move <= kNear;
+    start.met = report.met && report.move <= kNearSolution;
     if (start.met) return start;
   }
   int left = limits.max_steps;
   Vector stepped = z;
   Teller teller(problem, observer);
-  for (const Attempt& attempt : kAttempts) {
+  for (const DemandAttempt& attempt : kDemandAttempts) {
     AugmentedLagrangianOptions options;
     options.max_steps = std::min(attempt.steps, left);
     left -= options.max_steps;
     options.most_penalty = attempt.most_penalty;
     options.tell = std::ref(teller);
-    minimise_augmented_lagrangian(problem, stepped, options, stop);
+    const AugmentedLagrangianReport softened = minimise_augmented_lagrangian(problem, stepped, options, stop);
     start.z = stepped;
-    start.met = project_onto_demands(problem, start.z, kDemandProjectionSteps, stop).met;
-    if (start.met || left <= 0 || stop.stop_requested()) break;
+    const DemandProjectionReport report =
+        project_onto_demands(problem, start.z, kDemandProjectionSteps, stop);
+    start.met = report.met;
+    start.out_of_memory = softened.out_of_memory || report.out_of_memory;
+    if (start.met || start.out_of_memory || left <= 0 || stop.stop_requested()) break;
   }
   start.steps = teller.count;
   return start;

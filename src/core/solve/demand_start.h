@@ -14,10 +14,22 @@
 
 namespace planewright {
 
+// Shared with the tangent solver, which makes the same attempts with its own steps. steps: factorisations of
+// the augmented Lagrangian; most_penalty: how stiff it may get. More steps find lower energies with smaller
+// violations, which a projection that stalled before can close.
+struct DemandAttempt {
+  int steps;
+  double most_penalty;
+};
+inline constexpr DemandAttempt kDemandAttempts[] = {{26, 3e3}, {60, 1e4}, {120, 1e4}};
+// A projection that moves a point farther than this, mean edges, has left the solution that it was near to.
+inline constexpr double kNearSolution = 0.5;
+
 struct DemandStart {
-  Vector z;          // on all rows, as far as the projection came: the least that the solve gives
-  bool met = false;  // whether it meets every row
-  int steps = 0;     // iterations told to the observer
+  Vector z;                    // on all rows, as far as the projection came: the least that the solve gives
+  bool met = false;            // whether it meets every row
+  int steps = 0;               // iterations told to the observer
+  bool out_of_memory = false;  // which is why it meets them not
 };
 
 struct DemandStartOptions {

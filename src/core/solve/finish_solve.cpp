@@ -82,6 +82,10 @@ void finish_solve(const Problem& problem, const Vector& z, const Vector& multipl
     violated += violation.violated;
   }
 
+  if (projection.out_of_memory && !stopped) {
+    report.status = SolveStatus::Failed;
+    report.stop_reason = "out of memory";
+  }
   const bool planar = report.incidence_residual <= options.planarity_tolerance;
   if (!planar) report.stop_reason += "; some points do not lie on all of their planes";
   switch (report.status) {

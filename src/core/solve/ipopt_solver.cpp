@@ -399,6 +399,22 @@ class IpoptSolver final : public Solver {
 
   SolveReport solve(const Problem& problem, const State& start, const SolveOptions& options,
                     SolveObserver* observer, std::stop_token stop) override {
+    try {
+      return try_to_solve(problem, start, options, observer, stop);
+    } catch (const std::bad_alloc&) {  // before Ipopt began, or in the measurements after it
+      SolveReport report;
+      report.solver = "ipopt";
+      report.stop_reason = "out of memory; the state it began with is kept";
+      report.first_order_residual = std::numeric_limits<double>::quiet_NaN();  // nothing was measured
+      report.incidence_residual = std::numeric_limits<double>::quiet_NaN();
+      report.state = start;
+      return report;
+    }
+  }
+
+ private:
+  SolveReport try_to_solve(const Problem& problem, const State& start, const SolveOptions& options,
+                           SolveObserver* observer, const std::stop_token& stop) {
     const auto begun = Clock::now();
     const auto gate = enter_mumps_gate();
     Vector z = problem.from_state(start);
@@ -417,6 +433,9 @@ class IpoptSolver final : public Solver {
         } else if (demands->met) {
           report.status = SolveStatus::Planar;
           report.stop_reason = kDraftReason;
+        } else if (demands->out_of_memory) {
+          report.status = SolveStatus::Failed;
+          report.stop_reason = "out of memory";
         } else {
           report.status = SolveStatus::Infeasible;
           report.stop_reason = "the demands could not be met together from here";
@@ -490,7 +509,6 @@ class IpoptSolver final : public Solver {
     return report;
   }
 
- private:
   static constexpr int kRestarts = 2;
   static constexpr double kClearlyBetter = 1e-3;  // of the energy
 

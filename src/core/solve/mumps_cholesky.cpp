@@ -1,6 +1,7 @@
 #include <dmumps_c.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "core/solve/cholesky_backend.h"
 #include "core/solve/mumps_gate.h"
@@ -55,7 +56,7 @@ class MumpsCholesky final : public CholeskyBackend {
       status = run(kFactorise);
     }
     negative_pivots = status >= 0 ? infog(kNegativePivots) : 0;
-    out_of_memory = status == kOutOfMemory || status == kOutOfIntegerMemory;
+    note_memory(status);
     if (status < 0)
       error = out_of_memory         ? "out of memory"
               : status == kSingular ? "the matrix is singular"
@@ -70,7 +71,11 @@ class MumpsCholesky final : public CholeskyBackend {
     mumps_.rhs = right.data();
     mumps_.nrhs = 1;
     mumps_.lrhs = static_cast<int>(right.size());
-    run(kSolve);
+    const int status = run(kSolve);
+    if (status >= 0) return;
+    note_memory(status);
+    error = out_of_memory ? "out of memory" : "the solution failed (" + std::to_string(status) + ")";
+    right.setConstant(std::numeric_limits<double>::quiet_NaN());  // not the right side taken for a solution
   }
 
  private:
@@ -78,11 +83,12 @@ class MumpsCholesky final : public CholeskyBackend {
     if (analysed_) return true;
     const int status = run(kAnalyse);
     analysed_ = status >= 0;
-    out_of_memory = status == kOutOfMemory || status == kOutOfIntegerMemory;
+    note_memory(status);
     if (!analysed_)
       error = out_of_memory ? "out of memory" : "the analysis failed (" + std::to_string(status) + ")";
     return analysed_;
   }
+  void note_memory(int status) { out_of_memory = status == kOutOfMemory || status == kOutOfIntegerMemory; }
   int& icntl(int k) { return mumps_.icntl[k - 1]; }
   int infog(int k) const { return mumps_.infog[k - 1]; }
   int run(int job) {

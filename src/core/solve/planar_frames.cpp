@@ -59,6 +59,7 @@ void PlanarFrames::hand_out(const Vector& z, double first_order, double step, bo
     if (report.planar) {
       state = problem_.to_state({frame.data(), static_cast<size_t>(frame.size())});
       newest_ = std::move(frame);
+      newest_meets_demands_ = report.met;
     }
   }
   iteration.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun_).count();

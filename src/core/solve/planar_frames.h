@@ -1,7 +1,8 @@
 // PlanarFrames: what a running tangent solve shows. Every state that it hands to the observer has been
 // projected: each point lies on all of its planes to 1e-9 edges, so that the view shows watertight panels
-// while a slider moves. Steps are told one by one; a state goes with the first ones, with every few later
-// ones, and with whatever the caller calls final. Internal to solve/.
+// while a slider moves. Steps are told one by one; a state goes with the start, with the first steps close to
+// planar, and with every few later ones. Where a projection finds no planar state in a few dozen steps, the
+// step is told without one. The final state is the report's, not told here. Internal to solve/.
 //
 // Never changes what the solver does: the projection works on a copy. Costs nothing where the observer wants
 // no states (SolveObserver::wants_states).
@@ -27,12 +28,14 @@ class PlanarFrames {
   enum class Distance { Far, Near };
   // z: an accepted step's state, normalised; the rest as in Iteration.
   void tell(const Vector& z, double first_order, double step, Distance distance);
-  // The state a solve begins with, projected whatever it costs.
+  // The state a solve begins with, iteration 0, projected at once.
   void tell_start(const Vector& z);
 
   int told() const { return number_; }  // steps so far
-  // The newest planar state handed out.
+  // The newest planar state handed out (normalised); none before there was one.
   const std::optional<Vector>& newest() const { return newest_; }
+  // Whether it meets every demand too.
+  bool newest_meets_demands() const { return newest_meets_demands_; }
 
  private:
   void hand_out(const Vector& z, double first_order, double step, bool with_state);
@@ -44,6 +47,7 @@ class PlanarFrames {
   std::chrono::steady_clock::time_point begun_;
   int number_ = 0, since_frame_ = 0;
   std::optional<Vector> newest_;
+  bool newest_meets_demands_ = false;
 };
 
 }  // namespace planewright

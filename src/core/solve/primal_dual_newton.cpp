@@ -33,8 +33,8 @@ constexpr int kMostTries = 40;                            // factorisations for 
 constexpr double kAccept = 1e-3;                          // ratio of actual to predicted decrease
 // Conjugate gradients, where the coupling of points is left to them.
 constexpr double kIterativeTolerance = 1e-2;
-// More kept unknowns than this would make the exact matrix of coupled points too large: Gauss-Newton steps
-// with conjugate gradients go on to the end there.
+// More points than this, coupled by energies, would make the exact matrix too large: Gauss-Newton steps with
+// conjugate gradients go on to the end there.
 constexpr int kMostCoupledPoints = 120000;
 // Gauss-Newton steps are good enough while each takes this share off the slope.
 constexpr double kShrinking = 0.3;
@@ -115,12 +115,11 @@ class PrimalDualNewton {
     equations_ = std::make_unique<TangentEquations>(
         problem_, dropped ? EnergyCoupling::Dropped : EnergyCoupling::Exact, &cache_);
     equations_->set_iterative_tolerance(kIterativeTolerance);
+    equations_->set_stop(stop_);
   }
+  // Precondition: Gauss-Newton steps still, whose equations drop the coupling of points.
   bool too_large() const {
-    bool couples = false;
-    for (const auto& name : {"fairing", "edge-length", "diagonal-length", "edge-direction"})
-      for (const auto& energy : problem_.energy_shares(z_.data())) couples = couples || energy.name == name;
-    return couples && problem_.layout().points > kMostCoupledPoints;
+    return problem_.layout().points > kMostCoupledPoints && equations_->drops_couplings();
   }
 
   void linearise() {
@@ -225,6 +224,10 @@ class PrimalDualNewton {
   // False if the solve ends here (report_.end says why).
   bool take_step() {
     assemble();
+    if (!equations_->gradient().allFinite()) {  // no damping can help
+      report_.end = NewtonEnd::NotFinite;
+      return false;
+    }
     double raise = 4.0;
     bool finite = true;
     for (int tries = 0; tries < kMostTries; ++tries) {
@@ -252,6 +255,10 @@ class PrimalDualNewton {
         continue;
       }
       const Vector step = equations_->solve(-equations_->gradient());
+      if (step.size() == 0 && equations_->out_of_memory()) {
+        report_.end = NewtonEnd::OutOfMemory;
+        return false;
+      }
       double ratio = -1.0, length = 0.0;
       if ((finite = step.size() > 0)) {
         length = step.lpNorm<Eigen::Infinity>();

@@ -12,7 +12,8 @@
 // than kLongestStep.
 //
 // Found by trial on the irregular meshes and the paper's constraints (docs/solver.md): equations may get as
-// stiff as 1e7 once steps are short, and inequalities must not: beyond 1e3 their active set flips for ever.
+// stiff as 1e7 once steps are short; inequalities beyond 1e3 only while the same ones push from step to step,
+// since else their active set flips for ever.
 // Threads: uses MUMPS through its gate. Deterministic. Units: normalised; energies relative to the largest
 // weight.
 #pragma once
@@ -60,8 +61,9 @@ struct NewtonReport {
   double infeasibility = 0.0, first_order = 0.0;  // of the last step, whether or not the state is kept
 };
 
-// z, multipliers (#rows, f relative to the largest weight): changed in place. At Flat, z is the best state
-// found.
+// z, multipliers (#rows, f relative to the largest weight): changed in place. Unless Converged, z is the best
+// state found (keeping what was accepted last where none was compared yet), never one that could not be
+// evaluated. Throws std::bad_alloc.
 NewtonReport minimise_primal_dual(const Problem& problem, Vector& z, Vector& multipliers,
                                   const NewtonOptions& options, TangentCache& cache, PlanarFrames& frames,
                                   const std::stop_token& stop);

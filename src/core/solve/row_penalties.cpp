@@ -1,6 +1,7 @@
 #include "core/solve/row_penalties.h"
 
 #include <cmath>
+#include <limits>
 
 namespace planewright {
 
@@ -25,8 +26,11 @@ void RowPenalties::choose_alternatives(const Vector& z) {
 
 double RowPenalties::violation(const Vector& values) const {
   double worst = 0.0;
-  for (int row = 0; row < problem_.rows(); ++row)
-    if (counts(row)) worst = std::max(worst, std::abs(values[row] - nearest(row, values[row])));
+  for (int row = 0; row < problem_.rows(); ++row) {
+    if (!counts(row)) continue;
+    if (std::isnan(values[row])) return std::numeric_limits<double>::infinity();
+    worst = std::max(worst, std::abs(values[row] - nearest(row, values[row])));
+  }
   return worst;
 }
 

@@ -38,7 +38,7 @@ class RowPenalties {
     return std::clamp(t, b.low, b.high);
   }
   double penalty(int row) const { return is_equation(row) ? equations : inequalities; }
-  double violation(const Vector& values) const;  // largest, of the rows that count
+  double violation(const Vector& values) const;  // largest, of the rows that count; infinite at a NaN
 
   // Sum of the terms above for values c (#rows) and multipliers y (#rows), with one penalty for all rows.
   double value(const Vector& values, const Vector& y, double one_penalty) const;

@@ -31,7 +31,8 @@ class Solver {
  public:
   virtual ~Solver() = default;
   // start and the report's state: model units. Every outcome, a breakdown included, is a report with the best
-  // state so far; a stop request ends the solve within one factorisation. observer may be null.
+  // state so far. A stop request ends the steps within one factorisation; where no planar state has been
+  // shown yet, a short projection follows, unless the result is abandoned. observer may be null.
   virtual SolveReport solve(const Problem& problem, const State& start, const SolveOptions& options,
                             SolveObserver* observer, std::stop_token stop) = 0;
 };

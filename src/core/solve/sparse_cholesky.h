@@ -36,7 +36,8 @@ class SparseCholesky {
   // test the step too.
   bool factorise();
   bool factorise(std::span<const double> values);
-  // Overwrites right (#size) with the solution. Precondition: the last factorise() returned true.
+  // Overwrites right (#size) with the solution; with NaN where even that fails (error(), out_of_memory()).
+  // Precondition: the last factorise() returned true.
   void solve(Vector& right) const;
 
   const std::string& error() const;

@@ -360,11 +360,10 @@ Vector TangentEquations::direct_solve(const Vector& right) {
 
 Vector TangentEquations::multiply(const Vector& v) const {
   Vector out(v.size());
-  for (int node = 0; node < pattern().nodes(); ++node) {
-    // As in eliminate(): unknowns without any curvature count 1.
-    const double damping = damping_of(node);
-    out.segment<3>(3 * node) = damping * v.segment<3>(3 * node);
-  }
+  // Unknowns without any curvature or damping, which eliminate() gives 1, have no part in right sides, and so
+  // none in v.
+  for (int node = 0; node < pattern().nodes(); ++node)
+    out.segment<3>(3 * node) = damping_of(node) * v.segment<3>(3 * node);
   if (energy_factor_ != 0.0)
     for (int row = 0; row < pattern().energies().rows; ++row)
       add_slope(pattern().energies(), energy_values_, row,
@@ -383,7 +382,7 @@ Vector TangentEquations::conjugate_gradients(const Vector& right) {
   const double goal = iterative_tolerance_ * right.norm();
   Vector y = direct_solve(r), d = y;
   double ry = r.dot(y);
-  for (int k = 0; k < kMostIterations && r.norm() > goal; ++k) {
+  for (int k = 0; k < kMostIterations && r.norm() > goal && !stop_.stop_requested(); ++k) {
     const Vector hd = multiply(d);
     const double curvature = d.dot(hd);
     if (!(curvature > 0.0)) break;

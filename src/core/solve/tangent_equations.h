@@ -17,12 +17,14 @@
 //
 // The pattern depends on stencils alone, so one analysis serves every step and, handed on in a TangentCache,
 // every later solve of a problem of the same topology. Units: normalised (layout.h). Threads: one at a time;
-// factorisations of whole problems go
-// through the MUMPS gate.
+// factorisations of whole problems go through the MUMPS gate. Of equations that share a cache,
+// factorise() of one may void the factors of the others.
 #pragma once
 
 #include <memory>
 #include <span>
+#include <stop_token>
+#include <utility>
 #include <vector>
 
 #include "core/problem/problem.h"
@@ -92,6 +94,8 @@ class TangentEquations {
   }
   // Relative residual at which conjugate gradients end; without dropped couplings solve() is direct.
   void set_iterative_tolerance(double tolerance) { iterative_tolerance_ = tolerance; }
+  // Ends conjugate gradients early, with what they have: a hundred of them cost a dozen factorisations.
+  void set_stop(std::stop_token stop) { stop_ = std::move(stop); }
   const std::string& error() const { return workspace_->cholesky.error(); }
   bool out_of_memory() const { return workspace_->cholesky.out_of_memory(); }
 
@@ -102,6 +106,8 @@ class TangentEquations {
   // z moved along a step; normals are made unit.
   Vector moved(const Vector& z, const Vector& step) const;
 
+  // Whether energies couple points and EnergyCoupling::Dropped left that out of the factors.
+  bool drops_couplings() const { return pattern().incomplete(); }
   int unknowns() const { return 3 * pattern().nodes(); }
   const Eigen::Matrix<double, 3, 2>& tangents(int plane) const {
     return tangents_[static_cast<size_t>(plane)];
@@ -152,6 +158,7 @@ class TangentEquations {
   };
   std::vector<HessianSlot> hessian_slots_;
   double iterative_tolerance_ = 1e-3;
+  std::stop_token stop_;
 };
 
 }  // namespace planewright

@@ -8,6 +8,7 @@
 
 #include "core/solve/augmented_lagrangian.h"
 #include "core/solve/demand_projection.h"
+#include "core/solve/demand_start.h"
 #include "core/solve/finish_solve.h"
 #include "core/solve/multipliers.h"
 #include "core/solve/mumps_gate.h"
@@ -23,15 +24,9 @@ using Clock = std::chrono::steady_clock;
 // Factorisations of the augmented Lagrangian: enough to find the valley; Newton steps then go along it
 // faster.
 constexpr int kSoftSteps = 20;
-// With demands: more steps, softer and stiffer, where the projection after the first attempt meets them not.
-struct Attempt {
-  int steps;
-  double most_penalty;
-};
-constexpr Attempt kAttempts[] = {{26, 3e3}, {60, 1e4}, {120, 1e4}};
-constexpr int kAttemptsNearSolution = 2;  // low in energy already: what these do not meet, more seldom do
-// A projection that moves a point farther than this, edges, has left the solution that it was near to.
-constexpr double kNear = 0.5;
+constexpr double kSoftMostPenalty = 3e3;
+// With demands, of kDemandAttempts: low in energy already, what these do not meet, more seldom do.
+constexpr int kAttemptsNearSolution = 2;
 // Share of the tolerance at which steps end, so that the projection afterwards has room.
 constexpr double kStopShare = 0.9;
 
@@ -43,24 +38,22 @@ class TangentSolver final : public Solver {
     const auto gate = enter_mumps_gate();
     SolveReport report;
     report.solver = "tangent";
-    Run run{problem,
-            options,
-            problem.from_state(start),
-            Vector::Zero(problem.rows()),
-            PlanarFrames(problem, observer, cache_, stop),
-            stop};
+    PlanarFrames frames(problem, observer, cache_, stop);
     try {
+      Run run{problem, options, problem.from_state(start), Vector::Zero(problem.rows()), frames, stop};
       minimise(run, report);
-      report.iterations = run.frames.told();
-      // What was shown last is planar already: whoever stops does not wait for another projection.
-      if (report.status == SolveStatus::Stopped && run.frames.newest()) run.z = *run.frames.newest();
-      finish_solve(problem, run.z, run.multipliers / share(problem), options, report, &cache_);
+      report.iterations = frames.told();
+      SolveOptions finishing = options;
+      // What was shown last is planar already: to rounding it takes one factorisation. Where the frame's
+      // projection did not meet the demands, whoever stops does not wait for another one.
+      if (report.status == SolveStatus::Stopped && frames.newest()) {
+        run.z = *frames.newest();
+        if (!frames.newest_meets_demands()) finishing.abandoned = stop;
+      }
+      finish_solve(problem, run.z, run.multipliers / share(problem), finishing, report, &cache_);
       remember(problem, report);
     } catch (const std::bad_alloc&) {
-      cache_.clear();
-      report.status = SolveStatus::Failed;
-      report.stop_reason = "out of memory; the state it began with is kept";
-      report.state = start;
+      report = keep_what_there_is(problem, start, frames);
     }
     report.seconds = std::chrono::duration<double>(Clock::now() - begun).count();
     return report;
@@ -71,10 +64,33 @@ class TangentSolver final : public Solver {
     const Problem& problem;
     const SolveOptions& options;
     Vector z, multipliers;  // f relative to the largest weight
-    PlanarFrames frames;
+    PlanarFrames& frames;
     std::stop_token stop;
   };
   static double share(const Problem& problem) { return 1.0 / problem.largest_weight(); }
+
+  // The report of a solve that ran out of memory; what the solver kept for the next one is freed first.
+  SolveReport keep_what_there_is(const Problem& problem, const State& start, const PlanarFrames& frames) {
+    cache_.clear();
+    multipliers_.resize(0);
+    remembered_rows_.clear();
+    SolveReport report;
+    report.solver = "tangent";
+    report.status = SolveStatus::Failed;
+    report.iterations = frames.told();
+    if (const auto& shown = frames.newest()) {
+      report.state = problem.to_state({shown->data(), static_cast<size_t>(shown->size())});
+      report.stop_reason = "out of memory; the panels shown last are kept";
+    } else {
+      report.state = start;
+      report.stop_reason = "out of memory; the state it began with is kept";
+    }
+    const Vector incidences = incidence_residuals(problem.complex(), report.state);
+    if (incidences.size() > 0)
+      report.incidence_residual = incidences.lpNorm<Eigen::Infinity>() / problem.complex().mean_edge;
+    report.first_order_residual = std::numeric_limits<double>::quiet_NaN();  // not measured
+    return report;
+  }
 
   void minimise(Run& run, SolveReport& report) {
     const Problem& problem = run.problem;
@@ -94,7 +110,7 @@ class TangentSolver final : public Solver {
     if (problem.has_demands()) {
       if (!find_demands(run, report) || drafted(run, report)) return;
     } else {
-      soften(run, kSoftSteps, kAttempts[0].most_penalty);
+      soften(run, kSoftSteps, kSoftMostPenalty);
     }
     newton(run, report, Start::Valley);
   }
@@ -115,7 +131,7 @@ class TangentSolver final : public Solver {
     Vector projected = run.z;
     const DemandProjectionReport projection =
         project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_);
-    if (!projection.met || projection.move > kNear) return false;
+    if (!projection.met || projection.move > kNearSolution) return false;
     run.z = projected;
     return true;
   }
@@ -141,7 +157,7 @@ class TangentSolver final : public Solver {
       run.multipliers.setZero();
       return false;
     }
-    damping_ = newton.damping;
+    remember_damping(newton);
     conclude(run, newton, report);
     return true;
   }
@@ -163,24 +179,32 @@ class TangentSolver final : public Solver {
   // Softly held demands, until a projection meets them all. False if none does.
   bool find_demands(Run& run, SolveReport& report) {
     Vector projected;
-    int left = run.options.near_solution ? kAttemptsNearSolution : static_cast<int>(std::size(kAttempts));
-    for (const Attempt& attempt : kAttempts) {
+    int left =
+        run.options.near_solution ? kAttemptsNearSolution : static_cast<int>(std::size(kDemandAttempts));
+    for (const DemandAttempt& attempt : kDemandAttempts) {
       if (left-- == 0) break;
       const AugmentedLagrangianReport softened = soften(run, attempt.steps, attempt.most_penalty);
       if (softened.out_of_memory) throw std::bad_alloc();
-      if (run.stop.stop_requested()) {
-        report.status = SolveStatus::Stopped;
-        report.stop_reason = "stopped by the user";
-        return false;
-      }
+      if (run.stop.stop_requested()) return stopped(report);
       projected = run.z;
-      if (project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_).met)
-        return true;
+      const DemandProjectionReport projection =
+          project_onto_demands(run.problem, projected, kDemandProjectionSteps, run.stop, &cache_);
+      if (projection.out_of_memory) throw std::bad_alloc();
+      if (projection.met) return true;
+      if (run.stop.stop_requested()) return stopped(report);
       if (steps_left(run) <= 0) break;
     }
     run.z = projected;
     report.status = SolveStatus::Infeasible;
-    report.stop_reason = "the demands could not be met together from here";
+    report.stop_reason = steps_left(run) > 0 ? "the demands could not be met together from here"
+                                             : "the limit of " + std::to_string(run.options.max_iterations) +
+                                                   " iterations was reached before the demands were met";
+    return false;
+  }
+
+  static bool stopped(SolveReport& report) {
+    report.status = SolveStatus::Stopped;
+    report.stop_reason = "stopped by the user";
     return false;
   }
 
@@ -206,7 +230,9 @@ class TangentSolver final : public Solver {
         minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
     // Where planes are nearly parallel, what rows still miss moves points far, and with them the slope: then
     // a few more steps from the exact state.
-    for (int round = 0; round < kPolishingRounds && newton.end == NewtonEnd::Converged; ++round) {
+    for (int round = 0;
+         round < kPolishingRounds && newton.end == NewtonEnd::Converged && !run.stop.stop_requested();
+         ++round) {
       Vector exact = run.z;
       project_onto_demands(run.problem, exact, kDemandProjectionSteps, run.stop, &cache_);
       const Vector multipliers =
@@ -221,8 +247,14 @@ class TangentSolver final : public Solver {
       newton =
           minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
     }
-    damping_ = newton.damping;
+    remember_damping(newton);
     conclude(run, newton, report);
+  }
+  // Where no step succeeded the damping is as high as it goes, and would cripple the next solve's steps.
+  void remember_damping(const NewtonReport& newton) {
+    const bool stepped = newton.end == NewtonEnd::Converged || newton.end == NewtonEnd::Flat ||
+                         newton.end == NewtonEnd::StepLimit || newton.end == NewtonEnd::Stopped;
+    damping_ = stepped ? newton.damping : 0.0;
   }
   static constexpr int kPolishingRounds = 3;
 
@@ -265,6 +297,7 @@ class TangentSolver final : public Solver {
 
   // Multipliers of the last solve, for the next one of the same rows.
   void remember(const Problem& problem, const SolveReport& report) {
+    if (!report.multipliers.allFinite()) return;  // would be every later solve's start
     multipliers_ = report.multipliers * share(problem);
     remembered_rows_ = problem.jacobian_pattern().columns;
   }
@@ -282,7 +315,7 @@ class TangentSolver final : public Solver {
 
   TangentCache cache_;
   Vector multipliers_;    // f relative to the largest weight
-  double damping_ = 0.0;  // that the last solve ended with
+  double damping_ = 0.0;  // that the last solve ended with; 0: none to begin with
   std::vector<int> remembered_rows_;
 };
 

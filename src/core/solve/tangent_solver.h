@@ -9,8 +9,7 @@
 //   2. Otherwise, and with demands, an augmented Lagrangian first (augmented_lagrangian.h): softly held rows
 //      find their way past folds that stiff ones get caught in.
 //   3. Primal-dual Newton steps to the end (primal_dual_newton.h), for energies and demands alike.
-//   4. A projection onto all rows, planarity to rounding (demand_projection.h), and multipliers at that
-//   state.
+//   4. A projection onto all rows, planarity to rounding (demand_projection.h), and multipliers there.
 //
 // Takes every energy, demand and pin that a Problem can have. Uses MUMPS through its gate. Deterministic.
 #pragma once

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "core/solve/projection.h"
 #include "support/problems.h"
 
@@ -91,6 +93,25 @@ TEST(DemandProjection, StopsWhenAsked) {
   const auto report = project_onto_demands(*problem, z, kDemandProjectionSteps, stop.get_token());
   EXPECT_EQ(report.factorisations, 0);
   EXPECT_LE((z - before).norm(), 1e-14);  // normals are made unit
+}
+
+// Every comparison with a NaN is false, which must not read as 'met'.
+TEST(DemandProjection, ARowThatIsNoNumberIsNotMet) {
+  const auto problem = with_demands(dual_of(make_sample("dome", 80).value()), {{"vertex"}});
+  Vector z = problem->from_state(initial_state(problem->complex()));
+  z[problem->layout().h(3)] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(worst(*problem, z), std::numeric_limits<double>::infinity());
+  EXPECT_FALSE(problem->violated_rows(z.data(), 1e-9).empty());
+  const auto report = project_onto_demands(*problem, z);
+  EXPECT_FALSE(report.met);
+  EXPECT_FALSE(report.planar);
+  EXPECT_EQ(report.violation, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(report.factorisations, 0);
+
+  z[problem->layout().x(2)] = std::numeric_limits<double>::quiet_NaN();
+  const Vector multipliers = Vector::Ones(problem->rows());
+  EXPECT_EQ(problem->first_order_residual(z.data(), multipliers.data()),
+            std::numeric_limits<double>::infinity());
 }
 
 TEST(DemandProjection, IsDeterministic) {

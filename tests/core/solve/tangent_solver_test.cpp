@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <new>
 
 #include "core/problem/energies/energy_catalogue.h"
 #include "support/demands.h"
@@ -282,6 +283,42 @@ TEST(TangentSolver, StopsInTheMiddleWithAPlanarState) {
       EXPECT_LE(off_plane(*complex, report.state), 1e-9) << at;
     }
   }
+}
+
+// To rounding, but with no further search for its demands.
+TEST(TangentSolver, AStopGivesTheStateShownLast) {
+  const SharedComplex complex = sample_complex("train-station", 100, 0.1);
+  const auto problem =
+      Problem::create(complex, demanding({demand("vertex"), demand("face"), demand("edge")})).value();
+  SolveOptions options;
+  options.tolerance = 1e-13;
+  for (const int at : {1, 12, 21}) {
+    std::stop_source stop;
+    Recorder recorder([&](const Iteration& iteration) {
+      if (iteration.number == at) stop.request_stop();
+    });
+    const SolveReport report =
+        tangent_solve(*problem, initial_state(*complex), options, &recorder, stop.get_token());
+    ASSERT_EQ(report.status, SolveStatus::Stopped) << at << ": " << report.stop_reason;
+    ASSERT_FALSE(recorder.states.empty()) << at;
+    EXPECT_LE(distance(*complex, report.state, recorder.states.back()), 1e-9) << at;
+  }
+}
+
+TEST(TangentSolver, WithoutMemoryItKeepsTheStateShownLastAndForgetsTheRest) {
+  const SharedComplex complex = sample_complex("train-station", 100);
+  const auto problem = problem_of(complex, {{"position", 1.0}});
+  const auto solver = make_tangent_solver();
+  Recorder recorder([](const Iteration& iteration) {
+    if (iteration.number == 3) throw std::bad_alloc();
+  });
+  const SolveReport report = solver->solve(*problem, initial_state(*complex), {}, &recorder, {});
+  EXPECT_EQ(report.status, SolveStatus::Failed);
+  EXPECT_NE(report.stop_reason.find("out of memory"), std::string::npos) << report.stop_reason;
+  ASSERT_FALSE(recorder.states.empty());
+  EXPECT_EQ((report.state.x - recorder.states.back().x).norm(), 0.0);
+  EXPECT_LE(report.incidence_residual, 1e-9);
+  expect_converged(*problem, solver->solve(*problem, initial_state(*complex), {}, nullptr, {}), "afterwards");
 }
 
 TEST(TangentSolver, AnAbandonedSolveEndsWithoutTheProjection) {
