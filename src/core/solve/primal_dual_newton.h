@@ -57,7 +57,7 @@ struct NewtonOptions {
 struct NewtonReport {
   NewtonEnd end = NewtonEnd::StepLimit;
   int steps = 0, factorisations = 0;
-  double damping = 0.0;  // of the last accepted step: where a warm start from here begins
+  double damping = 0.0;  // of the last accepted step: where a warm start from here begins; 0: none was
   double infeasibility = 0.0, first_order = 0.0;  // of the last step, whether or not the state is kept
 };
 

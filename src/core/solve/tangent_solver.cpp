@@ -157,7 +157,7 @@ class TangentSolver final : public Solver {
       run.multipliers.setZero();
       return false;
     }
-    remember_damping(newton);
+    damping_ = newton.damping;
     conclude(run, newton, report);
     return true;
   }
@@ -247,14 +247,8 @@ class TangentSolver final : public Solver {
       newton =
           minimise_primal_dual(run.problem, run.z, run.multipliers, options, cache_, run.frames, run.stop);
     }
-    remember_damping(newton);
+    damping_ = newton.damping;
     conclude(run, newton, report);
-  }
-  // Where no step succeeded the damping is as high as it goes, and would cripple the next solve's steps.
-  void remember_damping(const NewtonReport& newton) {
-    const bool stepped = newton.end == NewtonEnd::Converged || newton.end == NewtonEnd::Flat ||
-                         newton.end == NewtonEnd::StepLimit || newton.end == NewtonEnd::Stopped;
-    damping_ = stepped ? newton.damping : 0.0;
   }
   static constexpr int kPolishingRounds = 3;
 
