@@ -107,13 +107,15 @@ class LayerSolver {
       options.draft = draft_ && (*problem)->has_demands();
       fresh_ = false;
       SolveReport report = solver_.solve(**problem, at, options, &observer_, stop_);
+      // Demands that there was no time to meet need not contradict each other.
+      const bool out_of_steps = report.iterations >= options.max_iterations;
       observer_.next_round();
       report.iterations = iterations_ += report.iterations;
       report.seconds = seconds_ += report.seconds;
       report.rounds = ++rounds_;
       const bool last = attempt >= kMostRounds || stop_.stop_requested();
 
-      if (report.status == SolveStatus::Infeasible && !last && gives_up_ &&
+      if (report.status == SolveStatus::Infeasible && !last && gives_up_ && !out_of_steps &&
           give_up_violated(**problem, report)) {
         at = start_;  // so that the same solve without the conflicts gives the same result
         separations_.clear();
