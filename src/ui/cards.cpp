@@ -86,6 +86,7 @@ void draw_keys_card(Desk& desk) {
     key_row(ui, "wheel", "zoom to the mouse");
     key_row(ui, "double click", "centre on the point");
     key_row(ui, "click an edge", "flip it and solve again");
+    key_row(ui, "right click", "all edits of what is there");
     key_row(ui, "click", "select a panel or corner");
     key_row(ui, "shift, ctrl click", "select more, or less");
     key_row(ui, "alt click", "select the loop through an edge");

@@ -1,0 +1,58 @@
+#include "ui/prepared_findings.h"
+
+#include <algorithm>
+
+#include "ui/frame_timings.h"
+#include "ui/view_preparer.h"
+
+namespace planewright::ui {
+namespace {
+
+Vector worst_of_panels(const TangentComplex& complex, const std::vector<Finding>& findings) {
+  Vector worst = Vector::Zero(complex.plane_count());
+  const auto touch = [&](int panel, double severity) {
+    if (panel >= 0) worst[panel] = std::max(worst[panel], severity);
+  };
+  const auto touch_all_at = [&](const ElementRef& element, double severity) {
+    switch (element.kind) {
+      case ElementKind::Panel:
+        touch(element.index, severity);
+        break;
+      case ElementKind::Point:
+        for (const int panel : complex.planes_of_point[element.index]) touch(panel, severity);
+        break;
+      case ElementKind::PanelEdge: {
+        const PanelEdge& edge = complex.panel_edges[static_cast<std::size_t>(element.index)];
+        touch(edge.left, severity);
+        touch(edge.right, severity);
+        break;
+      }
+    }
+  };
+  for (const Finding& finding : findings) {
+    touch_all_at(finding.element, finding.severity);
+    if (finding.second) touch_all_at(*finding.second, finding.severity);
+  }
+  return worst;
+}
+
+}  // namespace
+
+PreparedFindings prepare_findings(const PrepareJob& job) {
+  const Stopwatch watch;
+  const TangentComplex& complex = *job.iterate->complex;
+  PreparedFindings out;
+  out.layer = job.layer;
+  out.number = job.number;
+  if (job.neighbour) {
+    const NeighbourLayer other{job.neighbour->complex, job.neighbour->state};
+    out.diagnosis = diagnose(complex, job.iterate->state, {}, &other);
+  } else {
+    out.diagnosis = diagnose(complex, job.iterate->state);
+  }
+  out.severity = worst_of_panels(complex, out.diagnosis.findings);
+  out.milliseconds = watch.milliseconds();
+  return out;
+}
+
+}  // namespace planewright::ui
