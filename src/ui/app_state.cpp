@@ -317,7 +317,7 @@ bool AppState::update(Clock::time_point now) {
     }
   }
   const auto old = std::remove_if(messages_.begin(), messages_.end(), [&](const Message& m) {
-    return m.kind == Message::Kind::Info && now - m.posted > 8s;
+    return m.kind <= Message::Kind::Refused && now - m.posted > 8s;
   });
   changed |= old != messages_.end();
   messages_.erase(old, messages_.end());

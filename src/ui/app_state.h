@@ -51,7 +51,7 @@ struct ViewOptions {
 };
 
 struct Message {
-  enum class Kind { Info, Warning, Error };
+  enum class Kind { Info, Refused, Warning, Error };  // the first two go by themselves
   std::uint64_t id = 0;
   Kind kind = Kind::Info;
   std::string what, where, remedy;

@@ -217,7 +217,8 @@ void draw_messages(Desk& desk, const Rect& viewport) {
   const auto& messages = desk.state.messages();
   for (auto it = messages.rbegin(); it != messages.rend(); ++it) {
     const Message& message = *it;
-    const bool error = message.kind == Message::Kind::Error, warning = message.kind == Message::Kind::Warning;
+    const bool error = message.kind == Message::Kind::Error,
+               warning = message.kind == Message::Kind::Warning || message.kind == Message::Kind::Refused;
     const ImU32 colour = error ? p.error : warning ? p.warning : p.good;
     const std::string id = "##message" + std::to_string(message.id);
     if (begin_card(ui, id.c_str(), ImVec2(viewport.max.x - ui.px(12), bottom), ImVec2(1, 1), width)) {

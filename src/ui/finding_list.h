@@ -43,6 +43,8 @@ struct FindingList {
   int size() const { return static_cast<int>(rows.size()); }
   std::optional<int> row_of(int finding) const;     // none: it is hidden
   const FlaggedEdge* find_flagged(int edge) const;  // null: not flagged
+  // To be told apart in a picture: then only those of the current finding are drawn.
+  bool too_many_flagged() const { return flagged.size() > 150; }
 };
 
 // from: null, and the list is empty. shown_ids, present_ids: of the mesh that the findings are of, and of the

@@ -78,6 +78,8 @@ std::string measure_text(double measure, const std::string& finding_unit, double
                          const std::string& unit) {
   if (!std::isfinite(measure)) return "no number";
   if (finding_unit == "edges") return format_with_unit(measure * mean_edge, unit);
+  constexpr double kNotHeld = 1e4;  // edges per degree: nothing but rounding holds the corner
+  if (finding_unit == "edges per degree" && measure >= kNotHeld) return "not held";
   if (finding_unit == "edges per degree") return format_with_unit(measure * mean_edge, unit + "/°");
   if (finding_unit == "degrees") return format_number(measure) + "°";
   if (finding_unit.starts_with("of ")) return format_number(100 * measure) + " %";

@@ -36,7 +36,7 @@ std::string place_name(const Document& document, int layer, const PreparedView& 
 // The number alone; -1: there is none.
 int panel_number(const Document& document, int layer, const PreparedView& shown, int panel);
 
-// "0.35 m", "2.1 m per degree", "12°", "8 %": lengths in model units.
+// "0.35 m", "2.1 m/°", "not held", "12°", "8 %": lengths in model units.
 std::string measure_text(double measure, const std::string& finding_unit, double mean_edge,
                          const std::string& unit);
 // "0.12 edges, the limit is 0.15 edges": as it was measured.

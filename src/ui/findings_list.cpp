@@ -146,8 +146,14 @@ void draw_line(Desk& desk, const FindingList& list, const Line& line, std::optio
 // What the current finding is, and what can be done.
 void draw_reason(Desk& desk, const FindingList& list, std::optional<int> current) {
   Ui& ui = desk.ui;
+  const AppState& state = desk.state;
   if (!current) {
-    ui.wrapped("N goes to the next one. A click on a thick amber edge flips it.", 0, true);
+    const bool triangles = state.shown()->complex().kind == ComplexKind::Dual;
+    const std::string edits = triangles ? "A click on a thick amber edge flips it."
+                                        : "A right click on a thick amber edge offers edits.";
+    ui.wrapped("N goes to the next one. " +
+                   (list.too_many_flagged() ? "Its edges are marked then. " + edits : edits),
+               0, true);
     return;
   }
   const Finding& finding = list.finding(*current);

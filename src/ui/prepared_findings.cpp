@@ -1,6 +1,6 @@
 #include "ui/prepared_findings.h"
 
-#include <algorithm>
+#include <limits>
 
 #include "ui/frame_timings.h"
 #include "ui/view_preparer.h"
@@ -9,9 +9,9 @@ namespace planewright::ui {
 namespace {
 
 Vector worst_of_panels(const TangentComplex& complex, const std::vector<Finding>& findings) {
-  Vector worst = Vector::Zero(complex.plane_count());
+  Vector worst = Vector::Constant(complex.plane_count(), std::numeric_limits<double>::quiet_NaN());
   const auto touch = [&](int panel, double severity) {
-    if (panel >= 0) worst[panel] = std::max(worst[panel], severity);
+    if (panel >= 0 && !(worst[panel] >= severity)) worst[panel] = severity;
   };
   const auto touch_all_at = [&](const ElementRef& element, double severity) {
     switch (element.kind) {

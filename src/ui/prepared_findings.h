@@ -15,7 +15,7 @@ struct PrepareJob;
 struct PreparedFindings {
   std::uint64_t layer = 0, number = 0;  // of the job, as in PreparedView
   Diagnosis diagnosis;                  // of the job's iterate; indices are of its complex
-  Vector severity;                      // #panels, of the worst finding that touches each; 0: none
+  Vector severity;                      // #panels, of the worst finding that touches each; not a number: none
   double milliseconds = 0.0;            // spent looking
 };
 

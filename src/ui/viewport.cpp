@@ -25,6 +25,7 @@ render::ColourScale colour_scale(const AppState& state, const std::string& unit)
   scale.high = state.colour_range();
   if (state.view_options.colours == ColourMap::Findings) {
     scale.quantity = "Findings";
+    scale.map = render::ColourScale::Map::Severity;
     return scale;
   }
   scale.unit = unit;

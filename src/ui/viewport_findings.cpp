@@ -11,7 +11,13 @@ void Viewport::Impl::take_flagged(const AppState& state) {
   flagged.clear();
   flagged_ends.clear();
   if (!markers || !shown || !mesh || mesh != state.mesh_view()) return;
-  for (const FlaggedEdge& of : state.finding_list().flagged) {
+  const FindingList& list = state.finding_list();
+  const auto current = state.current_finding();
+  for (const FlaggedEdge& of : list.flagged) {
+    if (list.too_many_flagged() &&
+        (!current || std::find(of.findings.begin(), of.findings.end(), *current) == of.findings.end())) {
+      continue;
+    }
     flagged.push_back(of.edge);
     flagged_ends.push_back(mesh->edges[static_cast<std::size_t>(of.edge)]);
   }
@@ -122,6 +128,7 @@ void Viewport::Impl::explain_edge(Ui& ui, const AppState& state, int edge) const
                         measure_text(finding.measure, finding.unit, mean_edge, unit),
                     finding.severity >= kNotToBeBuilt ? p.error : p.ink_soft);
     }
+    if (!allowed) ui.small_text("Right click: other edits", p.ink_faint);
     if (of->findings.size() > kListed) {
       ui.small_text("and " + format_count(static_cast<std::int64_t>(of->findings.size() - kListed)) + " more",
                     p.ink_faint);

@@ -64,6 +64,7 @@ struct Viewport::Impl {
     int layer = 0;
     std::shared_ptr<const PreparedFindings> findings;
     HiddenFindings hidden;
+    std::optional<int> finding;
     bool operator==(const Marked&) const = default;
   };
   Marked marked;

@@ -17,7 +17,8 @@ void Viewport::Impl::upload_marks(const AppState& state) {
                    state.document().revision(),
                    state.active_layer(),
                    state.findings(),
-                   state.view_options.hidden_findings};
+                   state.view_options.hidden_findings,
+                   state.current_finding()};
   if (!marks_stale && markers == state.view_options.markers && marked == now) return;
   const bool film_stale = marks_stale || marked.selection != now.selection || marked.panel != now.panel;
   marks_stale = false;

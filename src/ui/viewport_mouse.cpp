@@ -181,7 +181,7 @@ void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
       return;
     } else {
       const Error& why = allowed.error();
-      state.post(Message::Kind::Info, why.what, why.where, why.remedy);
+      state.post(Message::Kind::Refused, why.what, why.where, why.remedy);
       if (flagged_edge) return;
     }
   }

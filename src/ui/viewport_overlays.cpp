@@ -77,20 +77,11 @@ void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, Co
   y += bar + ui.px(4);
   const ImVec2 low(x0, y), high(x1, y + font->FontSize);
   if (colours == ColourMap::Findings) {
-    const auto word = [&](double severity, const char* text, float align) {
-      const float x = x0 + static_cast<float>(severity) * (x1 - x0);
-      draw_text_aligned(draw, font, ImVec2(x - ui.px(60), low.y), ImVec2(x + ui.px(60), high.y), align,
-                        p.ink_soft, text);
-      if (severity > 0 && severity < 1)
-        draw.AddLine(ImVec2(x, y - bar - ui.px(4)), ImVec2(x, y - ui.px(4)), p.overlay);
-    };
-    draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, "none");
-    word(0.5 * (kHardToBuild + kNotToBeBuilt), severity_word(kHardToBuild), 0.5f);
+    draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, severity_word(0.0));
+    draw_text_aligned(draw, font, low, high, 0.5f, p.ink_soft, severity_word(kHardToBuild));
     draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, "not to be built");
     return;
   }
-  draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, format_number(scale.low));
-  draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, format_with_unit(scale.high, scale.unit));
   const double middle = scale.tolerance ? kKept : 0.5;
   const float x = x0 + static_cast<float>(middle) * (x1 - x0);
   const std::string label = (scale.tolerance ? "planar ≤ " : "") + format_number(value_at(middle));

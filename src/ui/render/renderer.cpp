@@ -189,7 +189,7 @@ struct Renderer::Impl {
   std::filesystem::file_time_type shaders_from;
   Programs programs;
   GlVertexArray no_attributes;  // for what the shaders make from the vertex's number
-  GlTexture map;
+  GlTexture maps[2];            // by ColourScale::Map
 
   PanelBuffer panels, ghost;
   std::vector<PanelBuffer> selected;
@@ -294,7 +294,7 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
     p.set("below_end", scale.below_end);
     p.set("above_start", scale.above_start);
   }
-  glBindTexture(GL_TEXTURE_2D, map.get());
+  glBindTexture(GL_TEXTURE_2D, maps[colours ? static_cast<int>(colours->map) : 0].get());
   begin_lying_back();
   panels.draw();
   p.set("coloured", 0);
@@ -419,8 +419,11 @@ Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder) {
   if (!programs) return tl::unexpected(programs.error());
   impl->programs = std::move(*programs);
   impl->no_attributes = GlVertexArray::create();
-  const auto table = viridis_table();
-  impl->map = make_texture(GL_RGBA8, GL_RGBA, static_cast<int>(table.size() / 4), 1, table.data());
+  const ColourTable tables[] = {viridis_table(), severity_table()};
+  for (std::size_t i = 0; i < std::size(tables); ++i) {
+    impl->maps[i] =
+        make_texture(GL_RGBA8, GL_RGBA, static_cast<int>(tables[i].size() / 4), 1, tables[i].data());
+  }
   if (const std::string errors = take_gl_errors(); !errors.empty()) {
     return fail(ErrorCode::Unavailable, "OpenGL cannot be set up: " + errors, {},
                 "update the graphics driver");
