@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <bitset>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -14,11 +13,6 @@
 #include "ui/prepared_findings.h"
 
 namespace planewright::ui {
-
-using HiddenFindings = std::bitset<kFindingKinds>;  // by FindingKind
-inline bool is_hidden(const HiddenFindings& hidden, FindingKind kind) {
-  return hidden[static_cast<std::size_t>(kind)];
-}
 
 // A mesh edge that a click flips because findings say so.
 struct FlaggedEdge {

@@ -160,7 +160,7 @@ void draw_reason(Desk& desk, const FindingList& list, std::optional<int> current
   ui.wrapped(capitalised(kind_name(finding.kind)) + ", " + severity_word(finding.severity) + ": " +
                  finding.cause + ".",
              ui.colours().ink_soft, true);
-  ui.small_text(limit_text(finding), ui.colours().ink_faint);
+  ui.wrapped(limit_text(finding), ui.colours().ink_faint, true);
 }
 
 }  // namespace

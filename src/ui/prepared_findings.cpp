@@ -6,9 +6,25 @@
 #include "ui/view_preparer.h"
 
 namespace planewright::ui {
-namespace {
 
-Vector worst_of_panels(const TangentComplex& complex, const std::vector<Finding>& findings) {
+PreparedFindings prepare_findings(const PrepareJob& job) {
+  const Stopwatch watch;
+  const TangentComplex& complex = *job.iterate->complex;
+  PreparedFindings out;
+  out.layer = job.layer;
+  out.number = job.number;
+  if (job.neighbour) {
+    const NeighbourLayer other{job.neighbour->complex, job.neighbour->state};
+    out.diagnosis = diagnose(complex, job.iterate->state, {}, &other);
+  } else {
+    out.diagnosis = diagnose(complex, job.iterate->state);
+  }
+  out.milliseconds = watch.milliseconds();
+  return out;
+}
+
+Vector panel_severity(const TangentComplex& complex, const std::vector<Finding>& findings,
+                      const HiddenFindings& hidden) {
   Vector worst = Vector::Constant(complex.plane_count(), std::numeric_limits<double>::quiet_NaN());
   const auto touch = [&](int panel, double severity) {
     if (panel >= 0 && !(worst[panel] >= severity)) worst[panel] = severity;
@@ -30,29 +46,11 @@ Vector worst_of_panels(const TangentComplex& complex, const std::vector<Finding>
     }
   };
   for (const Finding& finding : findings) {
+    if (is_hidden(hidden, finding.kind)) continue;
     touch_all_at(finding.element, finding.severity);
     if (finding.second) touch_all_at(*finding.second, finding.severity);
   }
   return worst;
-}
-
-}  // namespace
-
-PreparedFindings prepare_findings(const PrepareJob& job) {
-  const Stopwatch watch;
-  const TangentComplex& complex = *job.iterate->complex;
-  PreparedFindings out;
-  out.layer = job.layer;
-  out.number = job.number;
-  if (job.neighbour) {
-    const NeighbourLayer other{job.neighbour->complex, job.neighbour->state};
-    out.diagnosis = diagnose(complex, job.iterate->state, {}, &other);
-  } else {
-    out.diagnosis = diagnose(complex, job.iterate->state);
-  }
-  out.severity = worst_of_panels(complex, out.diagnosis.findings);
-  out.milliseconds = watch.milliseconds();
-  return out;
 }
 
 }  // namespace planewright::ui

@@ -80,9 +80,11 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
   const bool new_view = v.shown != view;
   const auto coloured =
       state.view_options.colours == ColourMap::Findings && view ? state.findings() : nullptr;
-  const bool new_colours = v.colours != state.view_options.colours || v.coloured != coloured;
+  const bool new_colours = v.colours != state.view_options.colours || v.coloured != coloured ||
+                           v.coloured_hidden != state.view_options.hidden_findings;
   v.colours = state.view_options.colours;
   v.coloured = coloured;
+  v.coloured_hidden = state.view_options.hidden_findings;
   v.unit = unit;
 
   if (new_mesh) {

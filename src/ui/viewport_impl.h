@@ -69,6 +69,7 @@ struct Viewport::Impl {
   };
   Marked marked;
   std::shared_ptr<const PreparedFindings> coloured;  // whose severities the panels have
+  HiddenFindings coloured_hidden;                    // without these
   // The flagged edges that are drawn, as indices into mesh->edges and as their ends.
   std::vector<int> flagged;
   std::vector<std::pair<int, int>> flagged_ends;
@@ -165,7 +166,9 @@ struct Viewport::Impl {
   void show(std::shared_ptr<const PreparedView> view);
   // Per panel and per point; what the colours do not ask for, or is not known yet, is empty.
   std::pair<Vector, Vector> values() const {
-    if (colours == ColourMap::Findings && coloured) return {coloured->severity, Vector()};
+    if (colours == ColourMap::Findings && coloured) {
+      return {panel_severity(shown->complex(), coloured->diagnosis.findings, coloured_hidden), Vector()};
+    }
     if (colours == ColourMap::Planarity) return {shown->planarity.per_panel, Vector()};
     if (colours == ColourMap::Displacement) return {Vector(), shown->displacement.per_point};
     return {};

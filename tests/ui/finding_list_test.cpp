@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "ui/finding_text.h"
 
 namespace planewright::ui {
@@ -64,9 +66,24 @@ TEST(FindingListTest, KnowsAPlaceAgain) {
   EXPECT_EQ(same_place(list, earlier, 0.5), std::nullopt);
 }
 
+TEST(FindingListTest, PanelsHaveTheWorstThatTouchesThem) {
+  TangentComplex complex;
+  complex.anchors = Points::Zero(3, 3);
+  const auto findings = three_findings()->diagnosis.findings;
+  const std::vector<Finding> of_panels(findings.begin() + 1, findings.end());
+  const Vector severity = panel_severity(complex, of_panels);
+  EXPECT_EQ(severity[0], of_panels[0].severity);
+  EXPECT_EQ(severity[1], of_panels[1].severity);
+  EXPECT_TRUE(std::isnan(severity[2]));
+  HiddenFindings hidden;
+  hidden.set(static_cast<std::size_t>(FindingKind::NotConvex));
+  EXPECT_TRUE(std::isnan(panel_severity(complex, of_panels, hidden)[0]));
+}
+
 TEST(FindingTextTest, MeasuresAreInModelUnits) {
   EXPECT_EQ(measure_text(0.5, "edges", 3.0, "m"), "1.5 m");
   EXPECT_EQ(measure_text(2.0, "edges per degree", 0.5, "mm"), "1 mm/°");
+  EXPECT_EQ(measure_text(2e6, "edges per degree", 0.5, "mm"), "not held");
   EXPECT_EQ(measure_text(12.0, "degrees", 3.0, "m"), "12°");
   EXPECT_EQ(measure_text(0.08, "of a full corner", 3.0, "m"), "8 %");
   EXPECT_EQ(limit_text(three_findings()->diagnosis.findings[0]), "0.05 edges, the limit is 0.15 edges");
