@@ -213,7 +213,7 @@ void draw_toolbar(Desk& desk, const Rect& place) {
   // The colour map, four choices side by side.
   static const std::array<std::string, 4> kMaps = {"Card", "Planarity", "Displacement", "Findings"};
   int current = static_cast<int>(desk.state.view_options.colours);
-  const float width = std::clamp(place.max.x - ImGui::GetCursorScreenPos().x - ui.px(12), 1.0f, ui.px(386));
+  const float width = std::clamp(place.max.x - ImGui::GetCursorScreenPos().x - ui.px(12), 1.0f, ui.px(412));
   ImGui::BeginChild("maps", ImVec2(width, frame), false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (ui.segmented("colours", kMaps, current))

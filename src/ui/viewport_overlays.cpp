@@ -82,6 +82,8 @@ void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, Co
     draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, "not to be built");
     return;
   }
+  draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, format_number(scale.low));
+  draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, format_with_unit(scale.high, scale.unit));
   const double middle = scale.tolerance ? kKept : 0.5;
   const float x = x0 + static_cast<float>(middle) * (x1 - x0);
   const std::string label = (scale.tolerance ? "planar ≤ " : "") + format_number(value_at(middle));
