@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -18,6 +19,9 @@ namespace {
 
 // Findings that take no longer come with their view: a list that is there in every frame does not flicker.
 constexpr double kQuickFindings = 4;  // milliseconds
+// A state on the way of a slow solve is searched only when none has followed for so long: the solver needs
+// the machine more.
+constexpr std::chrono::milliseconds kRest{300};
 
 std::uint64_t fingerprint(const Points& points) {
   std::uint64_t hash = 0xcbf29ce484222325u;
@@ -154,9 +158,11 @@ void ViewPreparer::Impl::run(const std::stop_token& stop) {
     bool search = false;
     {
       std::unique_lock lock(mutex);
-      if (!changed.wait(lock, stop,
-                        [&] { return !waiting.empty() || waiting_mesh || !unsearched.empty(); })) {
-        return;
+      const auto due = [&] { return !waiting.empty() || waiting_mesh; };
+      if (unsearched.empty()) {
+        changed.wait(lock, stop, due);
+      } else if (!unsearched.front().final) {
+        changed.wait_for(lock, stop, kRest, due);
       }
       if (stop.stop_requested()) return;
       mesh = std::exchange(waiting_mesh, nullptr);
