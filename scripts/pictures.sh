@@ -146,7 +146,7 @@ wait_loaded 20
 wait_solved 120
 click "Findings/finding 0"
 wait_frames 12
-expect selected_point >= 0
+expect finding == 0
 screenshot PICTURE
 SCRIPT
       ;;

@@ -36,11 +36,12 @@ const std::vector<ActionInfo>& action_list() {
       {Action::Fit, "fit", "Fit the model", "F", {key(GLFW_KEY_F)}},
       {Action::ResetView, "reset view", "Standard view", "Home", {key(GLFW_KEY_HOME)}},
       {Action::Ghost, "ghost", "Ghost of the input", "G", {key(GLFW_KEY_G)}},
-      {Action::Markers, "markers", "Mark ill-determined points", "M", {key(GLFW_KEY_M)}},
+      {Action::Markers, "markers", "Mark findings", "M", {key(GLFW_KEY_M)}},
       {Action::ColourCycle, "colour map", "Next colour map", "C", {key(GLFW_KEY_C)}},
       {Action::ColourNone, "colours none", "Plain card", "", {}},
       {Action::ColourPlanarity, "colours planarity", "Colour by planarity", "", {}},
       {Action::ColourDisplacement, "colours displacement", "Colour by displacement", "", {}},
+      {Action::ColourFindings, "colours findings", "Colour by findings", "", {}},
       {Action::LockRange, "lock range", "Lock the colours' range", "L", {key(GLFW_KEY_L)}},
       {Action::Convergence, "convergence", "Convergence plot", "V", {key(GLFW_KEY_V)}},
       {Action::DarkTheme, "dark theme", "Dark theme", "D", {key(GLFW_KEY_D)}},
@@ -84,7 +85,7 @@ const ActionInfo& info(Action action) {
 
 bool Actions::enabled(Action action) const {
   const bool has_design = !state_.document().empty();
-  const bool has_findings = state_.shown() && !state_.shown()->ill_determined.empty();
+  const bool has_findings = state_.finding_list().size() > 0;
   switch (action) {
     case Action::Export:
       return state_.can_export();
@@ -105,7 +106,8 @@ bool Actions::enabled(Action action) const {
     case Action::PreviousFinding:
       return has_findings;
     case Action::LockRange:
-      return state_.view_options.colours != ColourMap::None;
+      return state_.view_options.colours == ColourMap::Planarity ||
+             state_.view_options.colours == ColourMap::Displacement;
     case Action::SelectBox:
     case Action::SelectAll:
     case Action::SelectBorder:
@@ -155,6 +157,8 @@ bool Actions::checked(Action action) const {
       return view.colours == ColourMap::Planarity;
     case Action::ColourDisplacement:
       return view.colours == ColourMap::Displacement;
+    case Action::ColourFindings:
+      return view.colours == ColourMap::Findings;
     case Action::LockRange:
       return view.lock_range;
     case Action::SelectBox:
@@ -216,19 +220,6 @@ void Actions::set_mode(ComplexKind mode) {
                                          " nothing in this mode and " + (off == 1 ? "is" : "are") + " off");
   }
   state_.change_settings(std::move(settings), mode == ComplexKind::Dual ? "Mode dual" : "Mode planarize");
-}
-
-void Actions::walk_findings(int by) {
-  const auto& points = state_.shown()->ill_determined;
-  const auto count = static_cast<int>(points.size());
-  int at = by > 0 ? -1 : count;
-  if (state_.selected_point) {
-    for (int i = 0; i < count; ++i) {
-      if (points[static_cast<std::size_t>(i)].point == *state_.selected_point) at = i;
-    }
-  }
-  at = (at + by + count) % count;
-  show_finding(state_, window_, points[static_cast<std::size_t>(at)].point);
 }
 
 void Actions::change_selection(Action action) {
@@ -326,9 +317,10 @@ void Actions::run(Action action) {
       view.markers = !view.markers;
       break;
     case Action::ColourCycle:
-      view.colours = view.colours == ColourMap::None        ? ColourMap::Planarity
-                     : view.colours == ColourMap::Planarity ? ColourMap::Displacement
-                                                            : ColourMap::None;
+      view.colours = view.colours == ColourMap::None           ? ColourMap::Planarity
+                     : view.colours == ColourMap::Planarity    ? ColourMap::Displacement
+                     : view.colours == ColourMap::Displacement ? ColourMap::Findings
+                                                               : ColourMap::None;
       break;
     case Action::ColourNone:
       view.colours = ColourMap::None;
@@ -338,6 +330,9 @@ void Actions::run(Action action) {
       break;
     case Action::ColourDisplacement:
       view.colours = ColourMap::Displacement;
+      break;
+    case Action::ColourFindings:
+      view.colours = ColourMap::Findings;
       break;
     case Action::LockRange:
       view.lock_range = !view.lock_range;
@@ -349,10 +344,12 @@ void Actions::run(Action action) {
       window_.settings.dark = !window_.settings.dark;
       break;
     case Action::NextFinding:
-      walk_findings(1);
+      state_.walk_findings(1);
+      window_.right_tab = 0;
       break;
     case Action::PreviousFinding:
-      walk_findings(-1);
+      state_.walk_findings(-1);
+      window_.right_tab = 0;
       break;
     case Action::ClearSelection:
       if (window_.show_keys || window_.show_about) {
@@ -412,10 +409,6 @@ void Actions::run(Action action) {
       window_.show_about = !window_.show_about;
       break;
   }
-}
-
-void show_finding(AppState& state, WindowState& window, int point) {
-  show_element(state, window, {ElementKind::Point, point});
 }
 
 void show_element(AppState& state, WindowState& window, const ElementRef& element) {

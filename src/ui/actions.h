@@ -34,6 +34,7 @@ enum class Action {
   ColourNone,
   ColourPlanarity,
   ColourDisplacement,
+  ColourFindings,
   LockRange,
   Convergence,
   DarkTheme,
@@ -92,7 +93,6 @@ class Actions {
 
  private:
   void run(Action action);
-  void walk_findings(int by);
   void change_selection(Action action);
   void set_mode(ComplexKind mode);
 
@@ -101,8 +101,6 @@ class Actions {
   std::vector<Action> requested_;
 };
 
-// Selects an ill-determined point and looks at it.
-void show_finding(AppState& state, WindowState& window, int point);
 // Selects what an element of the shown panels is and looks at it. Elements that the shown panels do not have
 // are left alone.
 void show_element(AppState& state, WindowState& window, const ElementRef& element);

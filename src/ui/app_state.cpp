@@ -53,6 +53,8 @@ const char* name(ColourMap map) {
       return "planarity";
     case ColourMap::Displacement:
       return "displacement";
+    case ColourMap::Findings:
+      return "findings";
   }
   return "";
 }
@@ -105,6 +107,8 @@ void AppState::adopt(Loaded loaded) {
   match_runs();
   ghost_.reset();
   clear_selection();
+  walked_.reset();
+  next_row_ = 0;
   selection_ids_ = document_.ids();
   planarity_range_ = displacement_range_ = 0.0;
   iterates_before_end_ = 0;
@@ -313,7 +317,7 @@ bool AppState::update(Clock::time_point now) {
     }
   }
   const auto old = std::remove_if(messages_.begin(), messages_.end(), [&](const Message& m) {
-    return m.kind == Message::Kind::Info && now - m.posted > 8s;
+    return m.kind <= Message::Kind::Refused && now - m.posted > 8s;
   });
   changed |= old != messages_.end();
   messages_.erase(old, messages_.end());
@@ -439,6 +443,13 @@ bool AppState::show_prepared() {
     show_view(*of, std::move(next));
     changed = true;
   }
+  while (auto next = preparer_.take_findings()) {
+    LayerRun* const of = find_run(next->layer);
+    if (of == nullptr) continue;
+    of->findings = std::move(next);
+    changed = true;
+  }
+  if (changed) follow_finding();
   return changed;
 }
 
@@ -446,15 +457,7 @@ void AppState::show_view(LayerRun& of, std::shared_ptr<const PreparedView> next)
   if (&of == &active_run()) {
     const auto& before = of.shown;
     const bool first_of_solve = !before || before->ticket() != next->ticket();
-    if (before && (before->complex().kind != next->complex().kind ||
-                   before->complex().plane_count() != next->complex().plane_count())) {
-      selected_panel.reset();
-      selected_edge.reset();
-    }
-    if (before && before->complex().point_count() != next->complex().point_count()) {
-      selected_point.reset();
-      selected_edge.reset();
-    }
+    if (before) follow_pointed_at(*before, *next);
     const bool of_running = outcome_due_ && solving_run_ == of.id && next->ticket() == of.ticket;
     if (!next->final && of_running && (first_of_solve || next->fingerprint != last_fingerprint_)) {
       ++iterates_before_end_;
@@ -482,8 +485,8 @@ bool AppState::view_range_locked() const {
 bool AppState::settled() const {
   if (loading() || load_next_ || solving() || !reference_ready()) return false;
   if (mesh_view_ && (!ghost_ || ghost_->mesh != mesh_view_)) return false;
-  return std::all_of(runs_.begin(), runs_.end(), [](const LayerRun& of) {
-    return of.failed || of.submitted == (of.shown ? of.shown->number : 0);
+  return std::all_of(runs_.begin(), runs_.end(), [this](const LayerRun& of) {
+    return of.failed || (of.submitted == (of.shown ? of.shown->number : 0) && findings_known(of));
   });
 }
 
@@ -500,6 +503,8 @@ double AppState::colour_range() const {
       return round_up(planarity_range_);
     case ColourMap::Displacement:
       return round_up(displacement_range_);
+    case ColourMap::Findings:
+      return 1.0;  // severities
   }
   return 0.0;
 }

@@ -26,6 +26,7 @@
 #include "core/edit/document.h"
 #include "core/edit/select.h"
 #include "ui/background_task.h"
+#include "ui/finding_list.h"
 #include "ui/frame_timings.h"
 #include "ui/look_at.h"
 #include "ui/mesh_view.h"
@@ -35,8 +36,8 @@ namespace planewright::ui {
 
 using Clock = std::chrono::steady_clock;
 
-enum class ColourMap { None, Planarity, Displacement };
-const char* name(ColourMap map);  // "none", "planarity", "displacement"
+enum class ColourMap { None, Planarity, Displacement, Findings };
+const char* name(ColourMap map);  // "none", "planarity", "displacement", "findings"
 
 // What the designer chose to see.
 struct ViewOptions {
@@ -44,12 +45,13 @@ struct ViewOptions {
   bool markers = true;
   bool lock_range = false;  // keep the colour map's range as it is
   ColourMap colours = ColourMap::None;
+  HiddenFindings hidden_findings;  // kinds that are neither listed nor marked
 
   bool operator==(const ViewOptions&) const = default;
 };
 
 struct Message {
-  enum class Kind { Info, Warning, Error };
+  enum class Kind { Info, Refused, Warning, Error };  // the first two go by themselves
   std::uint64_t id = 0;
   Kind kind = Kind::Info;
   std::string what, where, remedy;
@@ -136,6 +138,18 @@ class AppState {
   void store_selection(std::string name = {});
   bool rename_selection(const std::string& from, const std::string& to);  // a refusal becomes a message
   void remove_selection(const std::string& name);
+
+  // --- Findings: bad places of the panels that are shown of the active layer.
+  // Null until they are known of the very state that is shown.
+  std::shared_ptr<const PreparedFindings> findings() const;
+  // Those of kinds that are not hidden, and the edges of the present mesh that they flag.
+  const FindingList& finding_list() const;
+  // The row of the list that the designer has gone to. Stays with its place when newer findings come.
+  std::optional<int> current_finding() const;
+  // Selects what the finding of the list is about, and asks the viewport to go there.
+  void show_finding(int row);
+  // The next (1) or previous (-1) of the list.
+  void walk_findings(int by);
 
   // --- Pins of the active layer.
   // Holds what is selected where it is shown: points by all three coordinates, panels in their planes.
@@ -246,20 +260,21 @@ class AppState {
   // What is known of a layer besides its settings.
   struct LayerRun {
     std::uint64_t id = 0;
-    Layer layer;                             // as the document last had it
-    std::optional<LayerInputs> started;      // of the newest solve; none: never, or it was superseded
-    bool stale = true;                       // the present inputs are others
-    std::uint64_t ticket = 0;                // of the newest solve
-    SolverKind asked = SolverKind::Tangent;  // for that solve; a polish asks for Auto
-    std::shared_ptr<const ElementIds> ids;   // of the mesh of the newest solve
-    std::shared_ptr<const Iterate> newest;   // that any solve delivered
+    Layer layer;                                   // as the document last had it
+    std::optional<LayerInputs> started;            // of the newest solve; none: never, or it was superseded
+    bool stale = true;                             // the present inputs are others
+    std::uint64_t ticket = 0;                      // of the newest solve
+    SolverKind asked = SolverKind::Tangent;        // for that solve; a polish asks for Auto
+    std::shared_ptr<const ElementIds> ids;         // of the mesh of the newest solve
+    std::shared_ptr<const Iterate> newest;         // that any solve delivered
     std::shared_ptr<const ElementIds> newest_ids;  // of its mesh
     bool newest_final = false;
     std::shared_ptr<const Iterate> finished;  // the newest outcome; what other layers are fitted to
     std::shared_ptr<const ElementIds> finished_ids;
     std::shared_ptr<const PreparedView> shown;
-    std::uint64_t submitted = 0;  // number of the newest job for the preparer
-    double thickness = 0.0;       // that job's
+    std::shared_ptr<const PreparedFindings> findings;  // of that view, if their number is its
+    std::uint64_t submitted = 0;                       // number of the newest job for the preparer
+    double thickness = 0.0;                            // that job's
     std::shared_ptr<const Iterate> beams_to;
     std::vector<Iteration> history;
     std::uint64_t history_ticket = 0;
@@ -294,6 +309,7 @@ class AppState {
   void adopt(Loaded loaded);
   void document_changed();
   bool mesh_edited(const Result<std::vector<std::string>>& edited, std::uint64_t revision, bool drags);
+  void follow_pointed_at(const PreparedView& before, const PreparedView& next);
   void follow_elements();   // what is selected names the present mesh's elements
   void remember_results();  // as what is shown of the present moment
   void restore_results();
@@ -311,6 +327,9 @@ class AppState {
   static bool takes_over(const LayerRun& of, const SolveOutcome& polish);
   void decline_polish(LayerRun& of, const SolveOutcome& polish);
   bool show_prepared();
+  bool findings_known(const LayerRun& of) const;
+  void follow_finding();  // the current one, in the list of newer findings
+  void go_to_row(int row);
   void show_view(LayerRun& of, std::shared_ptr<const PreparedView> next);
   bool view_range_locked() const;
   bool may_start(Clock::time_point now) const;
@@ -346,6 +365,11 @@ class AppState {
   std::uint64_t selection_changes_ = 0;
   std::optional<LookAt> look_at_;
 
+  mutable FindingList finding_list_;    // made anew by finding_list() where it is not of the present state
+  std::optional<int> current_finding_;  // index into the findings
+  int next_row_ = 0;                    // where walking goes on when the current one is gone
+  std::optional<Finding> walked_;       // the current one, or the last that was
+
   int iterates_before_end_ = 0;
   std::uint64_t last_fingerprint_ = 0;
   double planarity_range_ = 0.0, displacement_range_ = 0.0;
@@ -355,7 +379,7 @@ class AppState {
   bool solve_wanted_ = false;
   bool start_afresh_ = false;
   bool solve_is_step_ = false;  // the designer has asked for the solve that is under way
-  bool merging_ = false;  // a slider is being dragged
+  bool merging_ = false;        // a slider is being dragged
   Clock::time_point last_start_{};
   std::vector<Iteration> drained_;
 

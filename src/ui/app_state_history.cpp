@@ -83,6 +83,7 @@ void AppState::remember_results() {
   shown->runs = runs_;
   for (LayerRun& of : shown->runs) {
     of.shown.reset();  // views are large; they are prepared again
+    of.findings.reset();
     of.beams_to.reset();
     of.complaint = 0;
     of.polish_wanted = false;
@@ -110,7 +111,9 @@ void AppState::restore_results() {
   for (LayerRun& of : runs_) {
     if (!of.newest) of.submitted = 0;
     for (LayerRun& was : before) {
-      if (was.id == of.id && of.newest) of.shown = std::move(was.shown);
+      if (was.id != of.id || !of.newest) continue;
+      of.shown = std::move(was.shown);
+      of.findings = std::move(was.findings);
     }
   }
   for (const LayerRun& was : before) {

@@ -204,6 +204,9 @@ void AppState::set_active_layer(int layer) {
   selected_panel.reset();
   selected_point.reset();
   selected_edge.reset();
+  current_finding_.reset();
+  walked_.reset();
+  next_row_ = 0;
   last_fingerprint_ = 0;
   iterates_before_end_ = 0;
   if (const auto& view = shown(); view && !view_range_locked()) {

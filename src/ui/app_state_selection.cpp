@@ -25,6 +25,7 @@ void AppState::select_panel(int panel, Combine how) {
   select(of_present(named_panels(shown()->complex(), {panel})), how);
   selected_point.reset();
   selected_edge.reset();
+  current_finding_.reset();
   selected_panel = how == Combine::Remove ? std::nullopt : std::optional(panel);
 }
 
@@ -33,6 +34,7 @@ void AppState::select_point(int point, Combine how) {
   select(of_present(named_points(shown()->complex(), {point})), how);
   selected_panel.reset();
   selected_edge.reset();
+  current_finding_.reset();
   selected_point = how == Combine::Remove ? std::nullopt : std::optional(point);
 }
 
@@ -42,6 +44,46 @@ void AppState::clear_selection() {
   selected_panel.reset();
   selected_point.reset();
   selected_edge.reset();
+  current_finding_.reset();
+}
+
+// What was pointed at, in the next state's complex: the same elements of the mesh, as far as they are left.
+void AppState::follow_pointed_at(const PreparedView& before, const PreparedView& next) {
+  if (before.iterate->complex == next.iterate->complex) return;
+  const TangentComplex &from = before.complex(), &to = next.complex();
+  std::optional<ElementMap> edited;
+  if (before.ids && next.ids && *before.ids != *next.ids) edited = map_between(*before.ids, *next.ids);
+  const auto index_in = [](const auto& origins, const auto& origin) -> std::optional<int> {
+    const auto found = std::find(origins.begin(), origins.end(), origin);
+    return found == origins.end() ? std::nullopt : std::optional(static_cast<int>(found - origins.begin()));
+  };
+  const auto next_point = [&](int point) {
+    PointOrigin origin = from.point_origin[static_cast<std::size_t>(point)];
+    if (edited) origin.element = mapped(point_origins(*edited, origin.kind), origin.element);
+    return index_in(to.point_origin, origin);
+  };
+  if (from.kind != to.kind) {
+    selected_panel.reset();
+    selected_point.reset();
+    selected_edge.reset();
+  }
+  if (selected_panel) {
+    int origin = from.plane_origin[static_cast<std::size_t>(*selected_panel)];
+    if (edited) origin = mapped(plane_origins(*edited, from.kind), origin);
+    selected_panel = index_in(to.plane_origin, origin);
+  }
+  if (selected_point) selected_point = next_point(*selected_point);
+  if (selected_edge) {
+    const PanelEdge& edge = from.panel_edges[static_cast<std::size_t>(*selected_edge)];
+    const auto a = next_point(edge.a), b = next_point(edge.b);
+    selected_edge.reset();
+    for (std::size_t e = 0; a && b && e < to.panel_edges.size(); ++e) {
+      const PanelEdge& other = to.panel_edges[e];
+      if ((other.a == *a && other.b == *b) || (other.a == *b && other.b == *a)) {
+        selected_edge = static_cast<int>(e);
+      }
+    }
+  }
 }
 
 void AppState::show_element(const ElementRef& element) {

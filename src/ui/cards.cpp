@@ -86,6 +86,7 @@ void draw_keys_card(Desk& desk) {
     key_row(ui, "wheel", "zoom to the mouse");
     key_row(ui, "double click", "centre on the point");
     key_row(ui, "click an edge", "flip it and solve again");
+    key_row(ui, "right click", "all edits of what is there");
     key_row(ui, "click", "select a panel or corner");
     key_row(ui, "shift, ctrl click", "select more, or less");
     key_row(ui, "alt click", "select the loop through an edge");
@@ -216,7 +217,8 @@ void draw_messages(Desk& desk, const Rect& viewport) {
   const auto& messages = desk.state.messages();
   for (auto it = messages.rbegin(); it != messages.rend(); ++it) {
     const Message& message = *it;
-    const bool error = message.kind == Message::Kind::Error, warning = message.kind == Message::Kind::Warning;
+    const bool error = message.kind == Message::Kind::Error,
+               warning = message.kind == Message::Kind::Warning || message.kind == Message::Kind::Refused;
     const ImU32 colour = error ? p.error : warning ? p.warning : p.good;
     const std::string id = "##message" + std::to_string(message.id);
     if (begin_card(ui, id.c_str(), ImVec2(viewport.max.x - ui.px(12), bottom), ImVec2(1, 1), width)) {

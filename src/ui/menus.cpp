@@ -1,6 +1,7 @@
 // Menu bar and toolbar: every action of the window in words.
 #include <imgui_internal.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -14,12 +15,12 @@ namespace {
 void item(Desk& desk, Action action) {
   const ActionInfo& what = info(action);
   const bool enabled = desk.actions.enabled(action);
-  const bool toggles = action == Action::AutoSolve || action == Action::Ghost || action == Action::Markers ||
-                       action == Action::LockRange || action == Action::Convergence ||
-                       action == Action::DarkTheme || action == Action::HideLayer ||
-                       action == Action::SelectBox || action == Action::ModeDual ||
-                       action == Action::ModePlanarize || action == Action::ColourNone ||
-                       action == Action::ColourPlanarity || action == Action::ColourDisplacement;
+  const bool toggles =
+      action == Action::AutoSolve || action == Action::Ghost || action == Action::Markers ||
+      action == Action::LockRange || action == Action::Convergence || action == Action::DarkTheme ||
+      action == Action::HideLayer || action == Action::SelectBox || action == Action::ModeDual ||
+      action == Action::ModePlanarize || action == Action::ColourNone || action == Action::ColourPlanarity ||
+      action == Action::ColourDisplacement || action == Action::ColourFindings;
   if (ImGui::MenuItem(desk.actions.label(action).c_str(), what.shortcut.c_str(),
                       toggles && desk.actions.checked(action), enabled)) {
     desk.actions.request(action);
@@ -75,6 +76,16 @@ float draw_menu_bar(Desk& desk) {
       const Ui::Scope inner(ui, "Menu/Edit");
       item(desk, Action::Undo);
       item(desk, Action::Redo);
+      if (begin_menu(desk, "History")) {
+        draw_history(desk);
+        ImGui::EndMenu();
+      }
+      ImGui::Separator();
+      if (begin_menu(desk, "Mesh")) {
+        const Ui::Scope mesh_scope(ui, "Menu/Edit/Mesh");
+        draw_edit_choices(desk, target_of_selection(desk.state));
+        ImGui::EndMenu();
+      }
       ImGui::Separator();
       for (const Action action : {Action::SelectBox, Action::SelectAll, Action::SelectBorder,
                                   Action::SelectInverse, Action::SelectMore, Action::SelectLess,
@@ -99,6 +110,7 @@ float draw_menu_bar(Desk& desk) {
       item(desk, Action::ColourNone);
       item(desk, Action::ColourPlanarity);
       item(desk, Action::ColourDisplacement);
+      item(desk, Action::ColourFindings);
       item(desk, Action::ColourCycle);
       item(desk, Action::LockRange);
       ImGui::Separator();
@@ -198,10 +210,10 @@ void draw_toolbar(Desk& desk, const Rect& place) {
   button(Action::Ghost, Icon::Ghost, "Ghost", true, true);
   divider();
 
-  // The colour map, three choices side by side.
-  static const std::array<std::string, 3> kMaps = {"Card", "Planarity", "Displacement"};
+  // The colour map, four choices side by side.
+  static const std::array<std::string, 4> kMaps = {"Card", "Planarity", "Displacement", "Findings"};
   int current = static_cast<int>(desk.state.view_options.colours);
-  const float width = ui.px(290);
+  const float width = std::clamp(place.max.x - ImGui::GetCursorScreenPos().x - ui.px(12), 1.0f, ui.px(412));
   ImGui::BeginChild("maps", ImVec2(width, frame), false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (ui.segmented("colours", kMaps, current))

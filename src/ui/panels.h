@@ -34,6 +34,12 @@ void draw_hint(Desk& desk, const Rect& viewport);         // what to try at firs
 void draw_messages(Desk& desk, const Rect& viewport);     // errors and notices; they wait for nobody
 void draw_help_cards(Desk& desk);                         // keys, timings, about
 
+// Edits of the mesh, as lines of an open menu, and as a menu of their own at the mouse; all steps so far.
+void draw_edit_choices(Desk& desk, const EditTarget& target);
+void open_context_menu(Desk& desk, const EditTarget& target);
+void draw_context_menu(Desk& desk);
+void draw_history(Desk& desk);
+
 // The sections of the left panel, one file each.
 void draw_presets(Desk& desk);
 void draw_weights(Desk& desk);
@@ -47,6 +53,9 @@ DemandSummary demand_summary(const Desk& desk);
 // What a pixel of a drag changes a length by: about a thousandth of the model, as a round number.
 double length_step(const Desk& desk);
 
+// The list of findings, for the right panel; and the colour that stands for a severity.
+void draw_finding_list(Desk& desk);
+ImU32 severity_colour(const Ui& ui, double severity);
 // The two halves of the right panel that other parts do not need to know.
 void draw_energy_table(Desk& desk);
 void draw_report(Desk& desk);

@@ -4,12 +4,14 @@
 //   wait_loaded S   wait_solved S  wait_solving S               wait_iterates N S     wait_frames N
 //   click PATH      ctrl_click PATH   double_click PATH         hover PATH            wheel PATH NOTCHES
 //   drag PATH FRACTION             press PATH | move PATH FRACTION | release          drag_by PATH DX DY
-//   click_edge N|any   hover_edge N|any   click_model FX FY     orbit DX DY   pan DX DY   zoom NOTCHES
-//   click_panel N|any [MODS]       click_corner N|any [MODS]     drag_pin N DX DY
-//   drag_box FX FY FX FY [MODS]    hover_model FX FY
-//   key Ctrl+Z      type TEXT      export PATH                  screenshot FILE.png
-//   expect KEY OP VALUE            remember KEY NAME            print [KEY ...]       dump_ui   clear_timings
+//   click_edge N|any   hover_edge N|any   context_edge N|any   click_model FX FY     orbit DX DY   pan DX DY
+//   zoom NOTCHES click_panel N|any [MODS]       click_corner N|any [MODS]     drag_pin N DX DY drag_box FX FY
+//   FX FY [MODS]    hover_model FX FY key Ctrl+Z      type TEXT      export PATH                  screenshot
+//   FILE.png expect KEY OP VALUE            remember KEY NAME            print [KEY ...]       dump_ui
+//   clear_timings
 //
+// The edge nearest to the middle of the view that can be flipped: any; that a finding flags: flagged; that
+// cannot be flipped: stuck. All three commands on edges know these, and leave its number as $edge.
 // MODS are keys that are held, like "Shift" or "Ctrl+Alt".
 // PATH of a control is "Panel/name" in quotes where it has spaces; FRACTION is of a slider's travel. OP is
 // one of

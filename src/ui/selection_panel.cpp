@@ -7,24 +7,26 @@
 #include <string>
 
 #include "core/edit/design_edits.h"
+#include "ui/finding_text.h"
 #include "ui/format.h"
 #include "ui/panels.h"
 
 namespace planewright::ui {
 namespace {
 
-std::string describe(const PointOrigin& point) {
-  switch (point.kind) {
-    case PointKind::Face:
-      return "Corner in face " + format_count(point.element);
-    case PointKind::BorderEdge:
-      return "Corner on edge " + format_count(point.element);
-    case PointKind::Corner:
-      return "Outline at vertex " + format_count(point.element);
-    case PointKind::Vertex:
-      return "Vertex " + format_count(point.element);
+// What was found of an element.
+void draw_findings_of(Desk& desk, const ElementRef& element) {
+  Ui& ui = desk.ui;
+  const auto findings = desk.state.findings();
+  if (!findings) return;
+  for (const Finding& finding : findings->diagnosis.findings) {
+    if (finding.element != element && finding.second != element) continue;
+    ui.value_row(capitalised(kind_name(finding.kind)),
+                 measure_text(finding.measure, finding.unit, desk.state.shown()->complex().mean_edge,
+                              desk.window.settings.unit),
+                 severity_colour(ui, finding.severity),
+                 capitalised(finding.cause) + ". " + capitalised(limit_text(finding)) + ".");
   }
-  return {};
 }
 
 // "12 panels, 3 corners"
@@ -75,16 +77,9 @@ void draw_corner(Desk& desk, int point) {
   const PreparedView& shown = *state.shown();
   const TangentComplex& complex = shown.complex();
   const std::string& unit = desk.window.settings.unit;
-  ui.heading("Corner " + format_count(point));
+  ui.heading(element_name(state.document(), state.active_layer(), shown, {ElementKind::Point, point}));
   ui.value_row("Planes through it", format_count(complex.planes_of_point.valence(point)));
-  for (const IllDetermined& finding : shown.ill_determined) {
-    if (finding.point == point) {
-      ui.value_row(
-          "Singular value", format_number(finding.singular_value), ui.colours().warning,
-          "Third singular value of the normals' matrix: 0 where the planes are parallel, 1 where they are "
-          "perpendicular");
-    }
-  }
+  draw_findings_of(desk, {ElementKind::Point, point});
   ui.value_row("Moved by", format_with_unit(shown.displacement.per_point[point], unit));
   const Vector3d at = shown.points.row(point).transpose() + state.scene_origin();
   ui.value_row("x", format_with_unit(at.x(), unit));
@@ -105,24 +100,25 @@ void draw_panel(Desk& desk, int panel) {
     longest = std::max(longest, length);
   }
   const double area = 0.5 * newell_vector(shown.points, corners).norm();
-  ui.heading("Panel " + format_count(panel));
+  ui.heading(
+      element_name(desk.state.document(), desk.state.active_layer(), shown, {ElementKind::Panel, panel}));
   ui.value_row("Corners", format_count(static_cast<std::int64_t>(corners.size())));
   ui.value_row("Area", format_with_unit(area, unit + "²"));
   ui.value_row("Edges",
                corners.empty() ? "–" : format_number(shortest) + " to " + format_with_unit(longest, unit));
   ui.value_row("Off its plane", format_with_unit(shown.planarity.per_panel[panel], unit));
+  draw_findings_of(desk, {ElementKind::Panel, panel});
 }
 
 void draw_edge(Desk& desk, int index) {
   Ui& ui = desk.ui;
   const PreparedView& shown = *desk.state.shown();
   const PanelEdge& edge = shown.complex().panel_edges[static_cast<std::size_t>(index)];
-  ui.heading("Panel edge " + format_count(index));
+  const ElementRef element{ElementKind::PanelEdge, index};
+  ui.heading(element_name(desk.state.document(), desk.state.active_layer(), shown, element));
   ui.value_row("Length", format_with_unit((shown.points.row(edge.a) - shown.points.row(edge.b)).norm(),
                                           desk.window.settings.unit));
-  ui.value_row("Corners", format_count(edge.a) + ", " + format_count(edge.b));
-  ui.value_row("Panels", edge.border() ? format_count(edge.left >= 0 ? edge.left : edge.right) + ", border"
-                                       : format_count(edge.left) + ", " + format_count(edge.right));
+  draw_findings_of(desk, element);
 }
 
 // A row of a list with a name left, a count right, and a small cross; what of it was pressed.
@@ -323,7 +319,8 @@ void draw_pins(Desk& desk) {
       axes += static_cast<char>('x' + axis);
     }
     switch (list_row(
-        ui, "pin " + std::to_string(index), describe(pin.point), axes, current,
+        ui, "pin " + std::to_string(index), corner_name(pin.point, state.document().ids().get()), axes,
+        current,
         point ? "Click to see it and to edit its coordinates" : "The shown panels do not have this point")) {
       case RowPress::Row:
       case RowPress::Twice:

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "ui/finding_text.h"
 #include "ui/layer_edits.h"
 #include "ui/script.h"
 #include "ui/solve_badge.h"
@@ -65,6 +66,36 @@ std::optional<std::string> energy_value(const AppState& state, const std::string
   return text_of(share ? *own / total : *own);
 }
 
+// findings, findings.KIND: how many there are, "none" until that is known; findings_listed: of the kinds that
+// are not hidden; finding: the row that the designer is at, -1 for none; finding.ROW.measure, .kind,
+// .element; flagged: edges; flagged.I: the edge; flagged.flippable: the first that can be flipped,
+// flagged.stuck: that cannot.
+std::optional<std::string> finding_value(const AppState& state, const std::string& key) {
+  const FindingList& list = state.finding_list();
+  if (key == "findings") return list.from ? std::to_string(list.from->diagnosis.findings.size()) : "none";
+  if (key == "findings_listed") return text_of(list.size());
+  if (key == "finding") return text_of(state.current_finding().value_or(-1));
+  if (key == "solved") return list.from ? (list.from->diagnosis.solved ? "1" : "0") : "none";
+  if (key == "flagged") return std::to_string(list.flagged.size());
+  if (key.starts_with("findings.")) {
+    const auto kind = find_finding_kind(key.substr(9));
+    if (!kind) return std::nullopt;
+    return list.from ? text_of(list.from->diagnosis.count(*kind)) : "none";
+  }
+  if (key.starts_with("finding.")) {
+    const std::size_t dot = key.find('.', 8);
+    const auto row = number_in(key.substr(8, dot == std::string::npos ? dot : dot - 8));
+    if (!row || dot == std::string::npos || *row < 0 || *row >= list.size()) return std::nullopt;
+    const Finding& finding = list.finding(static_cast<int>(*row));
+    const std::string what = key.substr(dot + 1);
+    if (what == "kind") return info(finding.kind).name;
+    if (what == "element") return text(finding.element);
+    if (what == "measure") return text_of(finding.measure);
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<std::string>& state_keys() {
@@ -102,7 +133,12 @@ const std::vector<std::string>& state_keys() {
                                                 "planarity",
                                                 "displacement",
                                                 "objective",
-                                                "ill_determined",
+                                                "findings",
+                                                "findings_listed",
+                                                "finding",
+                                                "solved",
+                                                "flagged",
+                                                "history",
                                                 "fingerprint",
                                                 "undo",
                                                 "redo",
@@ -205,7 +241,10 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "planarity_relative") return text_of(shown ? shown->planarity.max_relative_to_bbox : 0.0);
   if (key == "displacement") return text_of(shown ? shown->displacement.rms : 0.0);
   if (key == "objective") return text_of(state.history().empty() ? 0.0 : state.history().back().objective);
-  if (key == "ill_determined") return count(shown ? shown->ill_determined.size() : 0);
+  if (auto value = finding_value(state, key)) return value;
+  if (key == "findings_text") return why_no_findings(findings_standing(state), c.window.settings.unit);
+  if (key == "history") return count(document.history().size());
+  if (key == "steps_done") return count(document.steps_done());
   if (key == "fingerprint") return count(shown ? shown->fingerprint : 0);
   if (key == "undo") return document.undo_name();
   if (key == "redo") return document.redo_name();

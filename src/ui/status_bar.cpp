@@ -29,10 +29,12 @@ std::string sentence(const Desk& desk) {
   if (!shown) return "Ready. Space solves.";
   std::string text = "Ready. " + format_count(shown->complex().plane_count(), "panel", "panels") +
                      ", largest deviation " + format_with_unit(shown->planarity.max, unit);
-  const auto ill = static_cast<std::int64_t>(shown->ill_determined.size());
-  text += ill == 0 ? ", every corner well determined."
-                   : ", " + format_count(ill, "ill-determined corner", "ill-determined corners") +
-                         " (N shows the next).";
+  const auto findings = state.findings();
+  if (!findings) return text + ".";
+  if (!findings->diagnosis.solved) return text + ", not planar yet.";
+  const auto count = static_cast<std::int64_t>(findings->diagnosis.findings.size());
+  text += count == 0 ? ", no findings."
+                     : ", " + format_count(count, "finding", "findings") + " (N shows the next).";
   return text;
 }
 

@@ -111,6 +111,12 @@ void TestDriver::click_at(ImVec2 at, HeldKeys held, bool twice) {
   push({.ctrl = false, .shift = false, .alt = false, .double_clicks = false}, 2);
 }
 
+void TestDriver::right_click_at(ImVec2 at) {
+  push({.mouse = at}, 2);
+  push({.right = true}, 2);
+  push({.right = false}, 3);
+}
+
 void TestDriver::drag_line(ImVec2 from, ImVec2 to, bool middle, HeldKeys held) {
   constexpr int kSteps = 10;
   push({.mouse = from, .ctrl = held.ctrl, .shift = held.shift, .alt = held.alt}, 2);
@@ -141,6 +147,7 @@ void TestDriver::inject(ImGuiIO& io) {
     inputs_.pop_front();
     if (input.mouse) mouse_ = *input.mouse;
     left_ = input.left.value_or(left_);
+    right_ = input.right.value_or(right_);
     middle_ = input.middle.value_or(middle_);
     ctrl_ = input.ctrl.value_or(ctrl_);
     shift_ = input.shift.value_or(shift_);
@@ -159,7 +166,7 @@ void TestDriver::inject(ImGuiIO& io) {
   }
   io.MousePos = mouse_;
   io.MouseDown[0] = left_;
-  io.MouseDown[1] = false;
+  io.MouseDown[1] = right_;
   io.MouseDown[2] = middle_;
   io.KeyCtrl = ctrl_;
   io.KeyShift = shift_;
@@ -222,19 +229,21 @@ std::optional<ImVec2> TestDriver::find_edge(const std::string& which, const Driv
     fail_with("there is no mesh");
     return std::nullopt;
   }
-  if (which != "any") {
+  const bool flagged = which == "flagged", stuck = which == "stuck";
+  if (which != "any" && !flagged && !stuck) {
     const int edge = static_cast<int>(number(which));
     const auto at = context.viewport.clickable_place_of_edge(state, edge);
     if (!at) fail_with("edge " + which + " cannot be clicked in this view");
     remembered_["edge"] = which;
     return at;
   }
-  // The flippable edge that is nearest to the middle of the view.
+  // The flippable edge (stuck: one that is not) that is nearest to the middle of the view.
   const auto& view = *state.mesh_view();
   const auto& camera = context.viewport.camera();
   std::vector<std::pair<float, int>> candidates;
   for (int e = 0; e < static_cast<int>(view.edges.size()); ++e) {
-    if (!view.mesh->can_flip(e)) continue;
+    if (view.mesh->can_flip(e) == stuck) continue;
+    if (flagged && state.finding_list().find_flagged(e) == nullptr) continue;
     const auto [a, b] = view.edges[static_cast<std::size_t>(e)];
     const glm::vec2 at = camera.project(0.5 * (view.points.row(a) + view.points.row(b)).transpose());
     candidates.emplace_back(std::hypot(at.x - 0.5f * static_cast<float>(camera.width()),
@@ -305,7 +314,7 @@ void TestDriver::step(const DriverContext& context, int frame) {
   for (const char32_t c : typed_) context.type_character(c);
   pressed_.clear();
   typed_.clear();
-  while (!failure_ && inputs_.empty() && !screenshot_) {
+  while (!failure_ && inputs_.empty() && !screenshot_ && !context.viewport.flying()) {
     if (waiting_) {
       if (waiting_->over(context, frame)) {
         waiting_.reset();
@@ -392,10 +401,12 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
     const ImVec2 from = middle_of(*target);
     drag_line(from, ImVec2(from.x + static_cast<float>(number(words[2])),
                            from.y + static_cast<float>(number(words[3]))));
-  } else if (verb == "click_edge" || verb == "hover_edge") {
+  } else if (verb == "click_edge" || verb == "hover_edge" || verb == "context_edge") {
     if (const auto at = find_edge(expanded(words[1]), c)) {
       if (verb == "click_edge") {
         click_at(*at);
+      } else if (verb == "context_edge") {
+        right_click_at(*at);
       } else {
         push({.mouse = *at}, 3);
       }

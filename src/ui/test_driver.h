@@ -74,7 +74,7 @@ class TestDriver {
  private:
   struct Input {  // of one frame, on top of the one before
     std::optional<ImVec2> mouse = {};
-    std::optional<bool> left = {}, middle = {};
+    std::optional<bool> left = {}, right = {}, middle = {};
     std::optional<bool> ctrl = {}, shift = {}, alt = {};
     std::optional<bool> double_clicks = {};
     float wheel = 0;
@@ -92,6 +92,7 @@ class TestDriver {
   void push(Input input, int frames = 1);
   static HeldKeys held_in(const std::string& text);
   void click_at(ImVec2 at, HeldKeys held = {}, bool twice = false);
+  void right_click_at(ImVec2 at);
   void drag_line(ImVec2 from, ImVec2 to, bool middle = false, HeldKeys held = {});
   // A panel ("panel") or a corner ("corner") that can be clicked, as the script names it.
   std::optional<ImVec2> find_element(const std::string& kind, const std::string& which,
@@ -113,7 +114,8 @@ class TestDriver {
 
   // The held input.
   ImVec2 mouse_{-1000, -1000};
-  bool left_ = false, middle_ = false, ctrl_ = false, shift_ = false, alt_ = false, double_clicks_ = false;
+  bool left_ = false, right_ = false, middle_ = false, ctrl_ = false, shift_ = false, alt_ = false,
+       double_clicks_ = false;
   std::optional<int> key_down_;
   std::vector<KeyPress> pressed_;
   std::u32string typed_;

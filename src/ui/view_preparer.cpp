@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <chrono>
 #include <condition_variable>
 #include <map>
 #include <mutex>
@@ -15,6 +16,12 @@
 
 namespace planewright::ui {
 namespace {
+
+// Findings that take no longer come with their view: a list that is there in every frame does not flicker.
+constexpr double kQuickFindings = 4;  // milliseconds
+// A state on the way of a slow solve is searched only when none has followed for so long: the solver needs
+// the machine more.
+constexpr std::chrono::milliseconds kRest{300};
 
 std::uint64_t fingerprint(const Points& points) {
   std::uint64_t hash = 0xcbf29ce484222325u;
@@ -83,7 +90,6 @@ PreparedView prepare_view(const PrepareJob& job, std::shared_ptr<const render::P
   view.panels = render::make_panel_arrays(view.points, complex.panels, std::move(before));
   view.planarity = measure_planarity(state.x, complex.panels);
   view.displacement = measure_displacement(state.x, complex.preferred);
-  view.ill_determined = find_ill_determined(complex, state);
   if (job.thickness != 0.0) view.thickness = prepare_thickness(complex, state, job.thickness, shift);
   if (job.neighbour) {
     view.beams = std::make_shared<const PreparedBeams>(
@@ -104,7 +110,8 @@ struct ViewPreparer::Impl {
   std::condition_variable_any changed;
   std::vector<PrepareJob> waiting;  // one per layer, the longest waiting first
   std::shared_ptr<const MeshView> waiting_mesh;
-  std::vector<std::shared_ptr<const PreparedView>> ready;  // one per layer
+  std::vector<std::shared_ptr<const PreparedView>> ready;               // one per layer
+  std::vector<std::shared_ptr<const PreparedFindings>> ready_findings;  // one per layer
   std::shared_ptr<const PreparedGhost> ready_ghost;
   std::jthread worker;  // last member: joins before the rest goes
 
@@ -116,46 +123,78 @@ struct ViewPreparer::Impl {
     }
     if (wake) wake();
   }
-  void deliver(std::shared_ptr<const PreparedView> made) {
+  // Either may be null.
+  void deliver(std::shared_ptr<const PreparedView> view, std::shared_ptr<const PreparedFindings> findings) {
     {
       const std::lock_guard lock(mutex);
-      const auto same = std::find_if(ready.begin(), ready.end(),
-                                     [&](const auto& view) { return view->layer == made->layer; });
-      if (same == ready.end()) {
-        ready.push_back(std::move(made));
-      } else {
-        std::swap(*same, made);
-      }
+      if (view) put(ready, view);
+      if (findings) put(ready_findings, findings);
     }
     if (wake) wake();
+  }
+  // In the place of what is there of the same layer; that is freed by the caller, outside the lock.
+  template <class T>
+  static void put(std::vector<std::shared_ptr<const T>>& list, std::shared_ptr<const T>& made) {
+    const auto same =
+        std::find_if(list.begin(), list.end(), [&](const auto& old) { return old->layer == made->layer; });
+    if (same == list.end()) {
+      list.push_back(std::move(made));
+    } else {
+      std::swap(*same, made);
+    }
   }
 };
 
 void ViewPreparer::Impl::run(const std::stop_token& stop) {
-  // Of each layer's last view; kept alive by whoever shows it.
-  std::map<std::uint64_t, std::weak_ptr<const render::PanelGeometry>> geometry;
+  struct OfLayer {
+    std::weak_ptr<const render::PanelGeometry> geometry;  // kept alive by whoever shows the view
+    double findings_milliseconds = kQuickFindings + 1;    // that the last ones took
+  };
+  std::map<std::uint64_t, OfLayer> layers;
+  std::vector<PrepareJob> unsearched;  // whose findings are due, one per layer
   for (;;) {
     std::optional<PrepareJob> job;
     std::shared_ptr<const MeshView> mesh;
+    bool search = false;
     {
       std::unique_lock lock(mutex);
-      if (!changed.wait(lock, stop, [&] { return !waiting.empty() || waiting_mesh; })) return;
+      const auto due = [&] { return !waiting.empty() || waiting_mesh; };
+      if (unsearched.empty()) {
+        changed.wait(lock, stop, due);
+      } else if (!unsearched.front().final) {
+        changed.wait_for(lock, stop, kRest, due);
+      }
+      if (stop.stop_requested()) return;
       mesh = std::exchange(waiting_mesh, nullptr);
+      search = !mesh && waiting.empty();
       if (!mesh) {
-        job = std::move(waiting.front());
-        waiting.erase(waiting.begin());
+        auto& from = search ? unsearched : waiting;
+        job = std::move(from.front());
+        from.erase(from.begin());
       }
     }
     if (mesh) {
       auto arrays = render::make_ghost_arrays(mesh->points, mesh->faces);
       deliver(std::make_shared<const PreparedGhost>(PreparedGhost{std::move(mesh), std::move(arrays)}));
-    } else {
-      auto& before = geometry[job->layer];
-      auto view = std::make_shared<const PreparedView>(prepare_view(*job, before.lock()));
-      before = view->panels.geometry;
-      std::erase_if(geometry, [](const auto& entry) { return entry.second.expired(); });
-      deliver(std::move(view));
+      continue;
     }
+    const auto of_layer = [&](const PrepareJob& other) { return other.layer == job->layer; };
+    OfLayer& of = layers[job->layer];
+    std::shared_ptr<const PreparedView> view;
+    if (!search) {
+      view = std::make_shared<const PreparedView>(prepare_view(*job, of.geometry.lock()));
+      of.geometry = view->panels.geometry;
+      std::erase_if(unsearched, of_layer);
+    }
+    std::shared_ptr<const PreparedFindings> findings;
+    if (search || of.findings_milliseconds <= kQuickFindings) {
+      findings = std::make_shared<const PreparedFindings>(prepare_findings(*job));
+      of.findings_milliseconds = findings->milliseconds;
+    } else {
+      unsearched.push_back(*std::move(job));
+    }
+    std::erase_if(layers, [](const auto& entry) { return entry.second.geometry.expired(); });
+    deliver(std::move(view), std::move(findings));
   }
 }
 
@@ -195,6 +234,14 @@ std::shared_ptr<const PreparedView> ViewPreparer::take() {
   auto view = std::move(impl_->ready.front());
   impl_->ready.erase(impl_->ready.begin());
   return view;
+}
+
+std::shared_ptr<const PreparedFindings> ViewPreparer::take_findings() {
+  const std::lock_guard lock(impl_->mutex);
+  if (impl_->ready_findings.empty()) return nullptr;
+  auto findings = std::move(impl_->ready_findings.front());
+  impl_->ready_findings.erase(impl_->ready_findings.begin());
+  return findings;
 }
 
 std::shared_ptr<const PreparedGhost> ViewPreparer::take_ghost() {

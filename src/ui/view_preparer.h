@@ -1,10 +1,11 @@
 // ViewPreparer: turns iterates into what the window shows, on a thread of its own.
 //
-// Measuring 10,000 panels (planarity, displacement, determinacy), offsetting them by a thickness and building
+// Measuring 10,000 panels (planarity, displacement), offsetting them by a thickness and building
 // beams takes longer than a frame may; so a worker takes the newest iterate of each layer, and the window's
 // thread picks up arrays that are ready to upload. Iterates of a layer that arrive while one is being
 // prepared replace each other; the last one of a solve is never replaced by an earlier one. The same worker
-// makes the ghost's arrays from the mesh being designed on, before anything else.
+// makes the ghost's arrays from the mesh being designed on, before anything else, and looks for bad places:
+// of a view at once where that is quick, else when nothing else is waiting.
 //
 // Threads: submit() and the takes from the window's thread; neither waits for the worker's computing.
 // Units: model units; positions relative to the scene's origin.
@@ -17,11 +18,11 @@
 #include <vector>
 
 #include "core/design/solve_session.h"
-#include "core/diagnose/ill_determined.h"
 #include "core/diagnose/planarity.h"
 #include "core/edit/element_names.h"
 #include "core/layers/parallel_offset.h"
 #include "ui/mesh_view.h"
+#include "ui/prepared_findings.h"
 #include "ui/render/panel_arrays.h"
 
 namespace planewright::ui {
@@ -65,7 +66,6 @@ struct PreparedView {
   render::PanelArrays panels;     // of these points, for the renderer
   Planarity planarity;
   Displacement displacement;
-  std::vector<IllDetermined> ill_determined;
   std::shared_ptr<const PreparedThickness> thickness;        // null: none wanted
   std::shared_ptr<const PreparedBeams> beams;                // to the neighbour; null: none wanted
   Vector3d low = Vector3d::Zero(), high = Vector3d::Zero();  // bounding box, scene coordinates
@@ -97,6 +97,8 @@ class ViewPreparer {
   // The newest view of some layer that was not taken yet, or null.
   std::shared_ptr<const PreparedView> take();
   std::shared_ptr<const PreparedGhost> take_ghost();
+  // The newest findings of some layer that were not taken yet, or null; of views that take() gave or gives.
+  std::shared_ptr<const PreparedFindings> take_findings();
 
  private:
   struct Impl;

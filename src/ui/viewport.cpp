@@ -16,12 +16,18 @@
 namespace planewright::ui {
 namespace {
 
+constexpr double kFlightSeconds = 0.35;
 constexpr double kSlowPicture = 28;  // milliseconds above which a moving picture is drawn coarser
 
 render::ColourScale colour_scale(const AppState& state, const std::string& unit) {
   render::ColourScale scale;
   scale.low = 0;
   scale.high = state.colour_range();
+  if (state.view_options.colours == ColourMap::Findings) {
+    scale.quantity = "Findings";
+    scale.map = render::ColourScale::Map::Severity;
+    return scale;
+  }
   scale.unit = unit;
   if (state.view_options.colours == ColourMap::Planarity) {
     scale.quantity = "Planarity";
@@ -72,8 +78,14 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
   const Layer& active = state.document().design().layers[static_cast<std::size_t>(state.active_layer())];
   const auto view = active.visible ? state.shown() : nullptr;
   const bool new_view = v.shown != view;
-  const bool new_colours = v.colours != state.view_options.colours;
+  const auto coloured =
+      state.view_options.colours == ColourMap::Findings && view ? state.findings() : nullptr;
+  const bool new_colours = v.colours != state.view_options.colours || v.coloured != coloured ||
+                           v.coloured_hidden != state.view_options.hidden_findings;
   v.colours = state.view_options.colours;
+  v.coloured = coloured;
+  v.coloured_hidden = state.view_options.hidden_findings;
+  v.unit = unit;
 
   if (new_mesh) {
     v.mesh = state.mesh_view();
@@ -101,7 +113,9 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
   if (new_mesh || new_view || new_colours) v.marks_stale = v.dirty = true;
 
   std::optional<render::ColourScale> scale;
-  if (v.shown && v.colours != ColourMap::None) scale = colour_scale(state, unit);
+  if (v.shown && v.colours != ColourMap::None && (v.colours != ColourMap::Findings || v.coloured)) {
+    scale = colour_scale(state, unit);
+  }
   if (!same(scale, v.scale)) {
     v.scale = scale;
     v.renderer.set_colours(scale);
@@ -166,83 +180,6 @@ void Viewport::Impl::upload_surfaces(const AppState& state) {
   dirty = true;
 }
 
-void Viewport::Impl::upload_marks(const AppState& state) {
-  const Marked now{
-      state.selected_point, state.selected_panel,      state.selected_edge,         hovered,
-      hovered_corner,       state.selection_changes(), state.document().revision(), state.active_layer()};
-  if (!marks_stale && markers == state.view_options.markers && marked == now) return;
-  const bool film_stale = marks_stale || marked.selection != now.selection || marked.panel != now.panel;
-  marks_stale = false;
-  markers = state.view_options.markers;
-  marked = now;
-
-  std::vector<render::Marker> marks;
-  std::vector<render::Segment> segments;
-  if (shown) {
-    if (markers) {
-      for (const IllDetermined& point : shown->ill_determined) {
-        marks.push_back({shown->points.row(point.point).transpose(), render::Marker::Kind::Warning});
-      }
-    }
-    if (markers && shown->thickness) {
-      for (const auto& blunted : shown->thickness->blunted) {
-        marks.push_back({shown->points.row(blunted.point).transpose(), render::Marker::Kind::Warning});
-      }
-    }
-    const TangentComplex& complex = shown->complex();
-    const auto place_of = [&](int point) -> Vector3d { return shown->points.row(point).transpose(); };
-    // Panels: a film over them, and their outline.
-    std::vector<int> panels = panels_named(complex, state.of_shown(state.selection()));
-    if (now.panel && *now.panel < panel_layer.polygons.size() &&
-        !std::binary_search(panels.begin(), panels.end(), *now.panel)) {
-      panels.insert(std::lower_bound(panels.begin(), panels.end(), *now.panel), *now.panel);
-    }
-    if (film_stale) {
-      std::vector<render::PanelArrays> films{render::triangles_of(shown->panels, panels)};
-      if (shown->thickness) films.push_back(render::triangles_of(shown->thickness->back, panels));
-      renderer.set_selected(films);
-    }
-    std::vector<char> in(static_cast<std::size_t>(complex.plane_count()), 0);
-    for (const int panel : panels) in[static_cast<std::size_t>(panel)] = 1;
-    const auto selected = [&](int panel) { return panel >= 0 && in[static_cast<std::size_t>(panel)] != 0; };
-    for (std::size_t e = 0; e < complex.panel_edges.size(); ++e) {
-      const PanelEdge& edge = complex.panel_edges[e];
-      const bool outline = selected(edge.left) != selected(edge.right);
-      const bool shown_edge = now.edge && *now.edge == static_cast<int>(e);
-      if (outline || shown_edge) {
-        segments.push_back({place_of(edge.a), place_of(edge.b), render::Segment::Kind::Selected});
-      }
-    }
-    for (const int point : points_named(complex, state.of_shown(state.selection()))) {
-      marks.push_back({place_of(point), render::Marker::Kind::Selected});
-    }
-    for (const auto& point : {now.point, now.hovered_corner}) {
-      if (point && *point < shown->points.rows()) {
-        marks.push_back({place_of(*point), render::Marker::Kind::Selected});
-      }
-    }
-    const Demands& demands = state.document().settings().demands;
-    for (const Pin& pin : demands.pins) {
-      if (const auto at = state.pin_place(pin)) marks.push_back({*at, render::Marker::Kind::Pinned});
-    }
-    for (const PlanePin& pin : demands.plane_pins) {
-      const auto panel = state.shown_panel(pin.panel_origin);
-      if (panel && !complex.panels[*panel].empty()) {
-        marks.push_back({centroid(shown->points, complex.panels[*panel]), render::Marker::Kind::Pinned});
-      }
-    }
-  } else {
-    renderer.set_selected({});
-  }
-  if (mesh && hovered && *hovered < static_cast<int>(mesh->edges.size())) {
-    const auto [a, b] = mesh->edges[static_cast<std::size_t>(*hovered)];
-    segments.push_back(
-        {mesh->points.row(a).transpose(), mesh->points.row(b).transpose(), render::Segment::Kind::Hovered});
-  }
-  renderer.set_markers(marks, segments);
-  dirty = true;
-}
-
 // --- Camera ----------------------------------------------------------------------------------
 
 void Viewport::fit(const AppState& state) {
@@ -257,6 +194,7 @@ void Viewport::fit(const AppState& state) {
     low = low.cwiseMin(view->low.cwiseMax(low - reach));
     high = high.cwiseMax(view->high.cwiseMin(high + reach));
   }
+  impl_->flight.reset();
   impl_->camera.fit(low, high);
   impl_->dirty = true;
 }
@@ -300,11 +238,36 @@ void Viewport::Impl::turn_towards(const Vector3d& point) {
 }
 
 void Viewport::look_at(const Vector3d& scene_point, double radius) {
-  impl_->turn_towards(scene_point);
-  impl_->camera.pan(impl_->middle() - impl_->camera.project(scene_point), scene_point);
-  const double shown_radius = 0.5 * impl_->camera.height() * impl_->camera.pixel_size_at(scene_point);
-  if (radius > 0 && shown_radius > 0) impl_->camera.zoom(shown_radius / radius, scene_point);
-  impl_->dirty = true;
+  Impl& v = *impl_;
+  if (v.flight) v.camera = v.flight->to;
+  const render::Camera from = v.camera;
+  v.turn_towards(scene_point);
+  v.camera.pan(v.middle() - v.camera.project(scene_point), scene_point);
+  const double shown_radius = 0.5 * v.camera.height() * v.camera.pixel_size_at(scene_point);
+  if (radius > 0 && shown_radius > 0) v.camera.zoom(shown_radius / radius, scene_point);
+  v.flight = Impl::Flight{from, v.camera, Clock::now()};
+  v.camera = from;
+  v.dirty = true;
+}
+
+bool Viewport::flying() const {
+  return impl_->flight.has_value();
+}
+
+void Viewport::Impl::fly() {
+  if (!flight) return;
+  const double seconds = std::chrono::duration<double>(Clock::now() - flight->begin).count();
+  const double t = std::min(seconds / kFlightSeconds, 1.0);
+  flight->to.set_viewport(camera.width(), camera.height());
+  camera = render::Camera::between(flight->from, flight->to, t * t * (3 - 2 * t));
+  if (t >= 1.0) flight.reset();
+  moving = flight.has_value();
+  hover_probe = {-1, -1};
+  dirty = true;
+}
+
+std::optional<EditTarget> Viewport::take_context_request() {
+  return std::exchange(impl_->context_request, std::nullopt);
 }
 
 std::optional<ImVec2> Viewport::clickable_place_of_edge(const AppState& state, int edge) const {
@@ -401,6 +364,7 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place) {
                              ImGuiButtonFlags_MouseButtonRight);
   ui.record("model", place.min, place.max);
   v.mouse(ui, state, ImGui::IsItemHovered());
+  v.fly();
   v.upload_marks(state);
 
   const Stopwatch watch;

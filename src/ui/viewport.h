@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "ui/app_state.h"
+#include "ui/edit_choices.h"
 #include "ui/layout.h"
 #include "ui/render/camera.h"
 #include "ui/render/renderer.h"
@@ -34,10 +35,13 @@ class Viewport {
 
   void fit(const AppState& state);
   void reset_direction(const AppState& state);
-  // Brings the point to the middle, from a side where nothing hides it.
+  // Brings the point to the middle, from a side where nothing hides it: flies there.
   void look_at(const Vector3d& scene_point, double radius);
+  bool flying() const;  // the next frame shows another picture
 
   std::optional<int> hovered_edge() const;
+  // What a click of the right button was on, once: edits of it are wanted.
+  std::optional<EditTarget> take_context_request();
   // Where a click would take the panel, the corner, or the pin (of the active layer), if one would.
   std::optional<ImVec2> clickable_place_of_panel(const AppState& state, int panel) const;
   std::optional<ImVec2> clickable_place_of_corner(const AppState& state, int point) const;

@@ -1,6 +1,6 @@
 // Viewport::Impl: what the viewport holds between frames and how it finds what is under the mouse. Internal
-// to viewport.cpp (uploading, camera, drawing) and viewport_mouse.cpp (what the mouse does). Threads: the
-// window's.
+// to viewport.cpp (uploading, camera, drawing), viewport_marks.cpp (marks), viewport_findings.cpp (what is
+// bad, and edges to click) and viewport_mouse.cpp (what the mouse does). Threads: the window's.
 #pragma once
 
 #include <imgui_internal.h>
@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,7 @@ inline constexpr float kEdgeReach = 7;    // pixels at scale 1 within which an e
 inline constexpr float kCornerReach = 7;  // likewise a corner, but not more than this part of a panel's edge:
 inline constexpr float kCornerPart = 0.2f;
 inline constexpr float kPinReach = 9;
+inline constexpr float kFlaggedReach = 9;  // of an edge that a finding flags, which goes before others
 // Ends of an edge belong to the panels that meet there; only the middle of it flips.
 inline constexpr float kEdgeEnds = 0.2f;
 
@@ -54,21 +56,35 @@ struct Viewport::Impl {
   ColourMap colours = ColourMap::None;
   std::optional<render::ColourScale> scale;
   bool dark = false, ghost = true, markers = true;
+  std::string unit;
   // What the marks were made for.
   struct Marked {
     std::optional<int> point, panel, edge, hovered_edge, hovered_corner;
     std::uint64_t selection = 0, revision = 0;
     int layer = 0;
+    std::shared_ptr<const PreparedFindings> findings;
+    HiddenFindings hidden;
+    std::optional<int> finding;
     bool operator==(const Marked&) const = default;
   };
   Marked marked;
+  std::shared_ptr<const PreparedFindings> coloured;  // whose severities the panels have
+  HiddenFindings coloured_hidden;                    // without these
+  // The flagged edges that are drawn, as indices into mesh->edges and as their ends.
+  std::vector<int> flagged;
+  std::vector<std::pair<int, int>> flagged_ends;
   std::vector<render::Surface> surfaces;
   bool marks_stale = true;
   std::uint64_t fitted = 0;
 
   bool dirty = true, coarse_picture = false, fine_picture = false, redrawn = false;
-  bool moving = false;  // the camera, by the mouse, in this frame
-  double full_ms = 0;   // what a full picture took lately
+  bool moving = false;  // the camera, in this frame
+  struct Flight {
+    render::Camera from, to;
+    Clock::time_point begin;
+  };
+  std::optional<Flight> flight;
+  double full_ms = 0;  // what a full picture took lately
 
   // The mouse.
   std::optional<int> hovered, hovered_corner, hovered_pin;
@@ -79,6 +95,8 @@ struct Viewport::Impl {
   ImVec2 press_at{}, last_at{};
   Vector3d pivot = Vector3d::Zero();
   glm::vec2 hover_probe{-1, -1};
+  bool right_press = false;
+  std::optional<EditTarget> context_request;
 
   glm::vec2 to_picture(ImVec2 window) const {
     return {(window.x - place.min.x) * pixel_ratio, (window.y - place.min.y) * pixel_ratio};
@@ -103,8 +121,12 @@ struct Viewport::Impl {
   }
   std::optional<int> edge_under(ImVec2 window, float scale_factor) const {
     if (!mesh) return std::nullopt;
-    const auto edge = render::pick_edge(mesh->points, mesh->edges, camera, to_picture(window),
-                                        kEdgeReach * scale_factor * pixel_ratio, &occluder);
+    const auto pick = [&](const std::vector<std::pair<int, int>>& edges, float reach) {
+      return render::pick_edge(mesh->points, edges, camera, to_picture(window),
+                               reach * scale_factor * pixel_ratio, &occluder);
+    };
+    auto edge = pick(flagged_ends, kFlaggedReach);
+    edge = edge ? std::optional(flagged[static_cast<std::size_t>(*edge)]) : pick(mesh->edges, kEdgeReach);
     if (!edge) return edge;
     const float t = edge_place(*edge, window).t;
     return t >= kEdgeEnds && t <= 1 - kEdgeEnds ? edge : std::nullopt;
@@ -142,8 +164,11 @@ struct Viewport::Impl {
   }
 
   void show(std::shared_ptr<const PreparedView> view);
-  // Per panel and per point; what the colours do not ask for is empty.
+  // Per panel and per point; what the colours do not ask for, or is not known yet, is empty.
   std::pair<Vector, Vector> values() const {
+    if (colours == ColourMap::Findings && coloured) {
+      return {panel_severity(shown->complex(), coloured->diagnosis.findings, coloured_hidden), Vector()};
+    }
     if (colours == ColourMap::Planarity) return {shown->planarity.per_panel, Vector()};
     if (colours == ColourMap::Displacement) return {Vector(), shown->displacement.per_point};
     return {};
@@ -152,6 +177,13 @@ struct Viewport::Impl {
   bool in_sight(const render::Camera& from, const Vector3d& point) const;
   void turn_towards(const Vector3d& point);
   void upload_marks(const AppState& state);
+  void take_flagged(const AppState& state);
+  void mark_findings(const AppState& state, std::vector<render::Marker>& marks,
+                     std::vector<render::Segment>& segments) const;
+  void explain_edge(Ui& ui, const AppState& state, int edge) const;
+  std::optional<int> finding_under(const AppState& state, ImVec2 at, float reach) const;
+  void fly();
+  EditTarget target_under(ImVec2 at, float scale_factor) const;
   void mouse(Ui& ui, AppState& state, bool hovered_now);
   void hover(Ui& ui, const AppState& state, ImVec2 at);
   void explain_hovered(Ui& ui, const AppState& state) const;

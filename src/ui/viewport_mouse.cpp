@@ -30,6 +30,8 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
     dragging = false;
     press_at = last_at = at;
     left_press = io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2];
+    right_press = io.MouseDown[1] && !io.MouseDown[0] && !io.MouseDown[2];
+    flight.reset();
     boxing = left_press && state.tool == Tool::Box && shown != nullptr;
     const bool plain = !io.KeyShift && !io.KeyCtrl && !io.KeyAlt;
     dragged_pin = left_press && plain && !boxing ? pin_under(state, at, scale_factor) : std::nullopt;
@@ -75,11 +77,13 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
     if (dragging && dragged_pin) state.end_merge();
     if (boxing) state.tool = Tool::Look;
     if (!dragging && left_press && !io.MouseDown[0]) click(ui, state, press_at);
+    if (!dragging && right_press && !io.MouseDown[1]) context_request = target_under(press_at, scale_factor);
     dragging = boxing = false;
     dragged_pin.reset();
     if (coarse_picture) dirty = true;
   }
   if (hovered_now && io.MouseWheel != 0) {
+    flight.reset();
     camera.zoom(std::pow(kZoomPerNotch, static_cast<double>(io.MouseWheel)), to_picture(at));
     dirty = true;
     hover_probe = {-1, -1};
@@ -125,23 +129,27 @@ void Viewport::Impl::hover(Ui& ui, const AppState& state, ImVec2 at) {
 
 void Viewport::Impl::explain_hovered(Ui& ui, const AppState& state) const {
   if (!hovered && !hovered_pin) return;
-  const auto explain = [&](const std::string& what, const std::string& how, bool possible) {
+  if (hovered_pin) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(7)));
     ImGui::BeginTooltip();
-    ui.text(what, possible ? ui.colours().accent : ui.colours().ink_soft);
+    ui.text("Pin " + format_count(*hovered_pin + 1), ui.colours().accent);
     ImGui::SameLine();
-    ui.text(how, possible ? ui.colours().ink : ui.colours().ink_soft);
+    ui.text("drag to move");
     ImGui::EndTooltip();
     ImGui::PopStyleVar();
-    if (possible) ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
-  };
-  if (hovered_pin) {
-    explain("Pin " + format_count(*hovered_pin + 1), "drag to move", true);
-  } else if (const Result<void> allowed = state.document().may_edit(MeshEdit::flip(*hovered)); allowed) {
-    explain("Edge " + format_count(*hovered), "click to flip", true);
+    ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   } else {
-    explain("Edge " + format_count(*hovered), allowed.error().what, false);
+    explain_edge(ui, state, *hovered);
   }
+}
+
+// The mesh edge under the mouse, and the face.
+EditTarget Viewport::Impl::target_under(ImVec2 at, float scale_factor) const {
+  EditTarget found;
+  if (!mesh) return found;
+  found.edge = edge_under(at, scale_factor);
+  if (const auto hit = render::pick_polygon(occluder, camera.ray(to_picture(at)))) found.face = hit->polygon;
+  return found;
 }
 
 // In the plane of the view through the place where it was taken up.
@@ -165,10 +173,17 @@ void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
   hover_probe = {-1, -1};
   const bool again =
       std::exchange(flipped_by_click, false) && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
-  if (!again && how == Combine::Replace && edge && state.document().may_edit(MeshEdit::flip(*edge))) {
-    state.edit_mesh(MeshEdit::flip(*edge));
-    flipped_by_click = true;
-    return;
+  if (!again && how == Combine::Replace && edge) {
+    const bool flagged_edge = std::binary_search(flagged.begin(), flagged.end(), *edge);
+    if (const Result<void> allowed = state.document().may_edit(MeshEdit::flip(*edge)); allowed) {
+      state.edit_mesh(MeshEdit::flip(*edge));
+      flipped_by_click = true;
+      return;
+    } else {
+      const Error& why = allowed.error();
+      state.post(Message::Kind::Refused, why.what, why.where, why.remedy);
+      if (flagged_edge) return;
+    }
   }
   if (how == Combine::Replace) state.clear_selection();
   if (!shown) return;
@@ -179,12 +194,10 @@ void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
     }
     return;
   }
-  for (const IllDetermined& point : shown->ill_determined) {
-    const glm::vec2 pixel = camera.project(shown->points.row(point.point).transpose());
-    if (markers && glm::distance(pixel, to_picture(at)) <= kEdgeReach * ui.theme().scale() * pixel_ratio) {
-      state.select_point(point.point, how);
-      return;
-    }
+  if (const auto row = finding_under(state, at, kEdgeReach * ui.theme().scale() * pixel_ratio)) {
+    const Finding finding = state.finding_list().finding(*row);
+    state.select_point(finding.element.index, how);
+    return;
   }
   if (corner) {
     state.select_point(*corner, how);

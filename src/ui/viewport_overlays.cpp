@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cfloat>
 
+#include "ui/finding_text.h"
 #include "ui/format.h"
 #include "ui/render/colour_map.h"
 
@@ -52,8 +53,9 @@ void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, Co
   const float x0 = min.x + pad, x1 = max.x - pad;
   float y = min.y + ui.px(8);
   draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 0.0f, p.ink, scale.quantity);
-  const std::string what =
-      colours == ColourMap::Planarity ? "corner to plane of its panel" : "point to wanted place";
+  const std::string what = colours == ColourMap::Planarity      ? "corner to plane of its panel"
+                           : colours == ColourMap::Displacement ? "point to wanted place"
+                                                                : "worst at each panel";
   draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 1.0f, p.ink_faint, what);
   y += font->FontSize + ui.px(4);
   // With a tolerance the bar has two stretches: what keeps it, and what misses it; like the map itself.
@@ -74,6 +76,12 @@ void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, Co
   }
   y += bar + ui.px(4);
   const ImVec2 low(x0, y), high(x1, y + font->FontSize);
+  if (colours == ColourMap::Findings) {
+    draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, severity_word(0.0));
+    draw_text_aligned(draw, font, low, high, 0.5f, p.ink_soft, severity_word(kHardToBuild));
+    draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, "not to be built");
+    return;
+  }
   draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, format_number(scale.low));
   draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, format_with_unit(scale.high, scale.unit));
   const double middle = scale.tolerance ? kKept : 0.5;

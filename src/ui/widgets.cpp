@@ -212,7 +212,8 @@ bool Ui::segmented(std::string_view name, std::span<const std::string> labels, i
       draw.AddRect(min, max, p.line, rounding);
     }
     const ImU32 ink = on ? p.ink : ImGui::IsItemHovered() ? p.ink : p.ink_soft;
-    draw_text_aligned(draw, on ? theme_.bold() : theme_.regular(), min, max, 0.5f, ink, labels[i]);
+    ImFont* font = on ? theme_.bold() : theme_.regular();
+    draw_text_aligned(draw, font, min, max, 0.5f, ink, elided(font, labels[i], max.x - min.x - px(4)));
     if (i < tooltips.size()) tooltip_if_hovered(tooltips[i]);
   }
   ImGui::PopID();

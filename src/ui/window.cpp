@@ -277,6 +277,7 @@ Result<void> Window::run() {
     // waiting.
     const bool lively =
         state_.solving() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput;
+    if (viewport_->flying()) frames_due_ = std::max(frames_due_, 1);
     if (lively && now - last_frame_ > 90ms) frames_due_ = std::max(frames_due_, 1);
     if (dump_) frames_due_ = std::max(frames_due_, 1);
     if (frames_due_ == 0 && !driver_) continue;
@@ -365,6 +366,8 @@ void Window::frame() {
   draw_messages(desk, layout.viewport);
   take_browser_result();
   draw_help_cards(desk);
+  if (const auto target = viewport_->take_context_request()) open_context_menu(desk, *target);
+  draw_context_menu(desk);
   actions_->apply_requested();
   apply_wishes();
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "ui/edit_choices.h"
 #include "ui/file_browser.h"
 #include "ui/look_at.h"
 #include "ui/name_field.h"
@@ -21,8 +22,10 @@ struct WindowState {
   bool show_about = false;
   int right_tab = 0;  // findings, report
   bool tab_wanted = false;
+  std::optional<int> listed_finding;  // that the list has last brought into sight
   bool fit_wanted = false, reset_view_wanted = false;
   std::optional<LookAt> look_at;
+  EditTarget context_target;  // of the menu that the right button opened
   NameTyping typing;
   bool quit = false;
 };

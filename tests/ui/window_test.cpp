@@ -315,6 +315,9 @@ TEST_F(WindowTest, ColourMapsGhostAndThemes) {
     screenshot PICTURES/displacement.png
     key C
     wait_frames 3
+    expect colours == findings
+    key C
+    wait_frames 3
     expect colours == none
     click "Toolbar/colours Displacement"
     wait_frames 2

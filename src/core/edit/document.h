@@ -51,6 +51,10 @@ class Document {
   // What a panel of a layer is called (panel_name()), by its TangentComplex::plane_origin in the present
   // mesh.
   int panel_number(int layer, int plane_origin) const;
+  // The same for panels of another moment's mesh, which `ids` numbers.
+  int panel_number(ComplexKind kind, BorderPolicy border, const ElementIds& ids, int plane_origin) const {
+    return panel_numbers_.number(kind, border, ids, plane_origin);
+  }
 
   // Why an edit of the present mesh is refused, as an error for the designer. Cheap.
   Result<void> may_edit(const MeshEdit& edit) const;

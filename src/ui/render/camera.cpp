@@ -131,6 +131,20 @@ void Camera::zoom(double factor, const Vector3d& anchor) {
   set_eye(anchor + distance_ / anchor_depth * (from - anchor));
 }
 
+// Distances by their ratio, so that a way in looks as fast as the way out.
+Camera Camera::between(const Camera& from, const Camera& to, double t) {
+  Camera camera = to;
+  if (t >= 1.0) return camera;
+  const double turn = std::remainder(to.azimuth_ - from.azimuth_, kFullTurn);
+  camera.set_direction(from.azimuth_ + t * turn, from.elevation_ + t * (to.elevation_ - from.elevation_));
+  const double ratio = to.distance_ / from.distance_;
+  camera.distance_ = from.distance_ * std::pow(ratio, t);
+  // The target moves as the distance does, so that what is approached stands still in the picture.
+  const double part = std::abs(ratio - 1.0) < 1e-6 ? t : (std::pow(ratio, t) - 1.0) / (ratio - 1.0);
+  camera.target_ = from.target_ + part * (to.target_ - from.target_);
+  return camera;
+}
+
 glm::mat4 Camera::view() const {
   const Vector3d r = right_, u = up_, back = -forward_, e = eye();
   glm::mat4 m(1.0f);

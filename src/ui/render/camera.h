@@ -39,6 +39,9 @@ class Camera {
   // Zooms towards a point, which keeps its place on the screen and may be approached without end.
   void zoom(double factor, const Vector3d& anchor);
 
+  // The way from one camera to another of the same scene and picture, t in 0..1; the nearer way round.
+  static Camera between(const Camera& from, const Camera& to, double t);
+
   glm::mat4 view() const;
   glm::mat4 projection() const;  // near and far fitted to the box of the last fit()
   Ray ray(glm::vec2 pixel) const;

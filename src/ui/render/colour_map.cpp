@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <iterator>
 #include <limits>
 
 namespace planewright::render {
@@ -12,11 +14,29 @@ constexpr std::uint32_t kAnchors[] = {0x440154, 0x482576, 0x414487, 0x35608d, 0x
                                       0x22a884, 0x43bf71, 0x7ad151, 0xbbdf27, 0xfde725};
 constexpr int kSteps = 10;
 
-glm::vec3 anchor(int i) {
-  const std::uint32_t rgb = kAnchors[std::clamp(i, 0, kSteps)];
+// Severities at these places, colours between them by straight lines.
+constexpr float kSeverities[] = {0.0f, 0.3f, 0.7f, 1.0f};
+constexpr std::uint32_t kSeverityColours[] = {0xf5e6c4, 0xf2c15c, 0xdf7a26, 0xbf2d20};
+
+glm::vec3 colour(std::uint32_t rgb) {
   return glm::vec3(static_cast<float>(rgb >> 16 & 255u), static_cast<float>(rgb >> 8 & 255u),
                    static_cast<float>(rgb & 255u)) /
          255.0f;
+}
+
+glm::vec3 anchor(int i) {
+  return colour(kAnchors[std::clamp(i, 0, kSteps)]);
+}
+
+template <class Map>
+ColourTable table_of(Map map) {
+  ColourTable table{};
+  for (int i = 0; i < 256; ++i) {
+    const glm::vec3 c = map(static_cast<float>(i) / 255.0f);
+    for (int k = 0; k < 3; ++k) table[4 * i + k] = static_cast<std::uint8_t>(std::lround(255.0f * c[k]));
+    table[4 * i + 3] = 255;
+  }
+  return table;
 }
 
 }  // namespace
@@ -33,14 +53,19 @@ glm::vec3 viridis(float t) {
   return {std::clamp(c.x, 0.0f, 1.0f), std::clamp(c.y, 0.0f, 1.0f), std::clamp(c.z, 0.0f, 1.0f)};
 }
 
-std::array<std::uint8_t, 256 * 4> viridis_table() {
-  std::array<std::uint8_t, 256 * 4> table{};
-  for (int i = 0; i < 256; ++i) {
-    const glm::vec3 c = viridis(static_cast<float>(i) / 255.0f);
-    for (int k = 0; k < 3; ++k) table[4 * i + k] = static_cast<std::uint8_t>(std::lround(255.0f * c[k]));
-    table[4 * i + 3] = 255;
-  }
-  return table;
+glm::vec3 severity_colour(float t) {
+  std::size_t i = 1;
+  while (i + 1 < std::size(kSeverities) && t > kSeverities[i]) ++i;
+  const float s = (t - kSeverities[i - 1]) / (kSeverities[i] - kSeverities[i - 1]);
+  return glm::mix(colour(kSeverityColours[i - 1]), colour(kSeverityColours[i]),
+                  s > 0.0f ? std::min(s, 1.0f) : 0.0f);
+}
+
+ColourTable viridis_table() {
+  return table_of(viridis);
+}
+ColourTable severity_table() {
+  return table_of(severity_colour);
 }
 
 MapScale map_scale(const ColourScale& scale) {
@@ -71,7 +96,8 @@ float map_position(const MapScale& scale, float value) {
 }
 
 glm::vec3 colour_of(const ColourScale& scale, double value) {
-  return viridis(map_position(map_scale(scale), static_cast<float>(value)));
+  const float t = map_position(map_scale(scale), static_cast<float>(value));
+  return scale.map == ColourScale::Map::Severity ? severity_colour(t) : viridis(t);
 }
 
 }  // namespace planewright::render

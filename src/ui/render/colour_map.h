@@ -1,5 +1,5 @@
-// The colour map: viridis, perceptually even and readable by the colour-blind, with a hard break at a
-// tolerance.
+// The colour maps: viridis, perceptually even and readable by the colour-blind, with a hard break at a
+// tolerance; and one for severities, in the amber and red of the marks.
 //
 // The shader panel.frag does the same as `map_position` and looks the colour up in the same table. No OpenGL.
 #pragma once
@@ -15,8 +15,13 @@ namespace planewright::render {
 // viridis at t in 0..1 (clamped; not a number gives 0), display RGB in 0..1. Luminance rises with t.
 glm::vec3 viridis(float t);
 
-// 256 x RGBA, 8 bits, for a texture: entry i is viridis(i / 255).
-std::array<std::uint8_t, 256 * 4> viridis_table();
+// Pale at 0, amber in the middle, red at 1; t as above. Darker as t rises.
+glm::vec3 severity_colour(float t);
+
+// 256 x RGBA, 8 bits, for a texture: entry i is viridis(i / 255), or severity_colour of it.
+using ColourTable = std::array<std::uint8_t, 256 * 4>;
+ColourTable viridis_table();
+ColourTable severity_table();
 
 // How values turn into places 0..1 on the map. Without a tolerance: evenly from low to high. With one: what
 // keeps the tolerance takes the dark part up to kBreakBelow, what misses it the bright part from kBreakAbove,

@@ -16,11 +16,12 @@
 namespace planewright::render {
 namespace {
 
-constexpr float kPanelLine = 1.2f, kGhostLine = 1.0f;        // pixels
-constexpr float kSegmentLine[] = {3.0f, 3.5f, 4.0f};         // by Segment::Kind
-constexpr float kMarkerRadius[] = {2.9f, 3.3f, 4.6f, 3.4f};  // by Marker::Kind, pixels
-constexpr float kLeastRadius[] = {1.1f, 1.3f, 4.6f, 2.6f};   // where panels are small on the screen
+constexpr float kPanelLine = 1.2f, kGhostLine = 1.0f;             // pixels
+constexpr float kSegmentLine[] = {2.4f, 2.8f, 4.4f, 4.4f, 4.0f};  // by Segment::Kind
+constexpr float kMarkerRadius[] = {2.9f, 3.3f, 4.6f, 3.4f};       // by Marker::Kind, pixels
+constexpr float kLeastRadius[] = {1.1f, 1.3f, 4.6f, 2.6f};        // where panels are small on the screen
 constexpr float kSelectedTint = 0.30f;
+constexpr float kGhostLift = 0.35f;   // of an edge, by which the input's lines are drawn nearer
 constexpr float kMarkerPart = 0.13f;  // of an edge that a mark's radius may take
 constexpr float kThrough = 0.22f;     // strength of marks behind geometry
 
@@ -188,7 +189,7 @@ struct Renderer::Impl {
   std::filesystem::file_time_type shaders_from;
   Programs programs;
   GlVertexArray no_attributes;  // for what the shaders make from the vertex's number
-  GlTexture map;
+  GlTexture maps[2];            // by ColourScale::Map
 
   PanelBuffer panels, ghost;
   std::vector<PanelBuffer> selected;
@@ -202,7 +203,7 @@ struct Renderer::Impl {
   std::optional<GroundShadow> panel_shadow,
       shadow;  // of the panels; as drawn: the ghost's where there are none
   GlTexture shadow_picture;
-  LineBuffer segments[3];  // by Segment::Kind
+  LineBuffer segments[std::size(kSegmentLine)];  // by Segment::Kind
   MarkerBuffer markers;
   std::optional<ColourScale> colours;
 
@@ -293,7 +294,7 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
     p.set("below_end", scale.below_end);
     p.set("above_start", scale.above_start);
   }
-  glBindTexture(GL_TEXTURE_2D, map.get());
+  glBindTexture(GL_TEXTURE_2D, maps[colours ? static_cast<int>(colours->map) : 0].get());
   begin_lying_back();
   panels.draw();
   p.set("coloured", 0);
@@ -348,20 +349,24 @@ void Renderer::Impl::draw_ghost_lines(const Frame& frame, const Palette& palette
   p.set("line_width", kGhostLine * frame.pixel_scale);
   p.set("fade_below", 24.0f * frame.pixel_scale);
   p.set("lift_pixels", 0.5f * frame.pixel_scale);
-  p.set("lift", alone ? 0.0f : 0.35f * ghost_arrays->mean_edge);
+  p.set("lift", alone ? 0.0f : kGhostLift * ghost_arrays->mean_edge);
   p.set("tint", glm::vec4(palette.ghost, alone ? 0.75f : 0.42f));
   ghost_lines.draw();
 }
 
 void Renderer::Impl::draw_segments(const Frame& frame, const Palette& palette) const {
-  const glm::vec3 tints[] = {palette.warning, palette.selected, palette.selected};
+  const glm::vec3 tints[] = {palette.warning, palette.error, palette.warning, palette.selected,
+                             palette.selected};
   const ShaderProgram& p = programs.line;
   begin_lines(frame);
   p.set("lift_pixels", 3.0f * frame.pixel_scale);
-  for (int kind = 0; kind < 3; ++kind) {
+  for (int kind = 0; kind < static_cast<int>(std::size(kSegmentLine)); ++kind) {
     if (segments[kind].empty()) continue;
     const float width = kSegmentLine[kind] * frame.pixel_scale;
     const bool hovered = kind == static_cast<int>(Segment::Kind::Hovered);
+    // Edges of the input lie beneath the panels; see draw_ghost_lines().
+    const bool of_input = hovered || kind == static_cast<int>(Segment::Kind::Suggested);
+    p.set("lift", of_input && ghost_arrays && !panels.empty() ? kGhostLift * ghost_arrays->mean_edge : 0.0f);
     glDepthFunc(GL_GREATER);
     p.set("line_width", width);
     p.set("tint", glm::vec4(tints[kind], kThrough));
@@ -414,8 +419,11 @@ Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder) {
   if (!programs) return tl::unexpected(programs.error());
   impl->programs = std::move(*programs);
   impl->no_attributes = GlVertexArray::create();
-  const auto table = viridis_table();
-  impl->map = make_texture(GL_RGBA8, GL_RGBA, static_cast<int>(table.size() / 4), 1, table.data());
+  const ColourTable tables[] = {viridis_table(), severity_table()};
+  for (std::size_t i = 0; i < std::size(tables); ++i) {
+    impl->maps[i] =
+        make_texture(GL_RGBA8, GL_RGBA, static_cast<int>(tables[i].size() / 4), 1, tables[i].data());
+  }
   if (const std::string errors = take_gl_errors(); !errors.empty()) {
     return fail(ErrorCode::Unavailable, "OpenGL cannot be set up: " + errors, {},
                 "update the graphics driver");

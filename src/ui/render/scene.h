@@ -38,7 +38,8 @@ struct Marker {
 
 struct Segment {
   Vector3d a, b;
-  enum class Kind { Suggested, Hovered, Selected } kind;
+  // Warning, Error: of the panels, where something is bad; Suggested: of the input, to be clicked.
+  enum class Kind { Warning, Error, Suggested, Hovered, Selected } kind;
 };
 
 // The colour map's range and what its legend says.
@@ -47,6 +48,7 @@ struct ColourScale {
   std::string quantity;             // "Planarity"
   std::string unit;                 // "mm", "m"
   std::optional<double> tolerance;  // a hard break in the map here
+  enum class Map { Viridis, Severity } map = Map::Viridis;
 };
 
 struct Scene {

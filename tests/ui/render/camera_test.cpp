@@ -210,5 +210,27 @@ TEST(Camera, WhatIsBehindTheEyeProjectsFarOutside) {
   EXPECT_LT(camera.depth(camera.eye() - 3.0 * camera.forward()), 0.0);
 }
 
+TEST(Camera, GoesFromOneViewToAnother) {
+  Camera from, to;
+  for (Camera* camera : {&from, &to}) {
+    camera->set_viewport(800, 600);
+    camera->fit(Vector3d(-1, -2, -3), Vector3d(3, 2, 1));
+  }
+  const Vector3d place(1, 1, 0);
+  to.set_direction(3.0, 0.2);
+  to.pan(glm::vec2(400, 300) - to.project(place), place);
+  to.zoom(20.0, place);
+  EXPECT_LT((Camera::between(from, to, 0.0).eye() - from.eye()).norm(), 1e-9);
+  EXPECT_LT((Camera::between(from, to, 1.0).eye() - to.eye()).norm(), 1e-9);
+  double before = from.depth(place);
+  for (int i = 1; i <= 10; ++i) {
+    const Camera on_the_way = Camera::between(from, to, 0.1 * i);
+    const double depth = on_the_way.depth(place);
+    EXPECT_LT(depth, before);
+    EXPECT_GT(depth, 0.0);
+    before = depth;
+  }
+}
+
 }  // namespace
 }  // namespace planewright::render

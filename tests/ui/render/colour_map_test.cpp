@@ -85,5 +85,18 @@ TEST(ColourMap, DegenerateRangesStayFinite) {
   }
 }
 
+TEST(ColourMap, SeveritiesGoFromPaleOverAmberToRed) {
+  const auto luminance = [](glm::vec3 c) { return 0.2126f * c.r + 0.7152f * c.g + 0.0722f * c.b; };
+  for (int i = 1; i <= 20; ++i) {
+    const float t = static_cast<float>(i) / 20.0f;
+    EXPECT_LT(luminance(severity_colour(t)), luminance(severity_colour(t - 0.05f))) << t;
+  }
+  EXPECT_EQ(severity_colour(-1.0f), severity_colour(0.0f));
+  EXPECT_EQ(severity_colour(2.0f), severity_colour(1.0f));
+  ColourScale scale;
+  scale.map = ColourScale::Map::Severity;
+  EXPECT_EQ(colour_of(scale, 1.0), severity_colour(1.0f));
+}
+
 }  // namespace
 }  // namespace planewright::render
