@@ -1,29 +1,14 @@
 // Edits of the mesh, undo and redo in the window's state: what is shown at each moment, and what follows.
 #include <gtest/gtest.h>
 
-#include <thread>
-
+#include "support/app_state_runs.h"
 #include "ui/app_state.h"
 
 namespace planewright::ui {
 namespace {
 
 using namespace std::chrono_literals;
-
-// Runs frames until `done`; false after a minute.
-template <class Done>
-bool run_until(AppState& state, Done done) {
-  const auto limit = Clock::now() + 60s;
-  while (!done()) {
-    if (Clock::now() > limit) return false;
-    state.update(Clock::now());
-    std::this_thread::sleep_for(1ms);
-  }
-  return true;
-}
-bool settle(AppState& state) {
-  return run_until(state, [&] { return state.settled() && !state.document().empty(); });
-}
+using namespace test;
 
 void change_fairing(AppState& state, double weight, std::string merge_key = {}) {
   LayerSettings settings = state.document().settings();

@@ -2,29 +2,15 @@
 // what was asked for, not on which solver answered.
 #include <gtest/gtest.h>
 
-#include <thread>
-
+#include "support/app_state_runs.h"
 #include "ui/app_state.h"
 
 namespace planewright::ui {
 namespace {
 
 using namespace std::chrono_literals;
+using namespace test;
 
-// Runs frames until `done`; false after a minute.
-template <class Done>
-bool run_until(AppState& state, Done done) {
-  const auto limit = Clock::now() + 60s;
-  while (!done()) {
-    if (Clock::now() > limit) return false;
-    state.update(Clock::now());
-    std::this_thread::sleep_for(1ms);
-  }
-  return true;
-}
-bool settle(AppState& state) {
-  return run_until(state, [&] { return state.settled() && !state.document().empty(); });
-}
 void run_for(AppState& state, std::chrono::milliseconds time) {
   const auto limit = Clock::now() + time;
   run_until(state, [&] { return Clock::now() > limit; });
