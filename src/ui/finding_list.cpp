@@ -32,6 +32,7 @@ FindingList make_finding_list(std::shared_ptr<const PreparedFindings> from,
   std::map<int, FlaggedEdge> flagged;
   for (int row = 0; row < list.size(); ++row) {
     const Finding& finding = list.finding(row);
+    if (!calls_for_edits(finding.kind)) continue;
     for (int edge : finding.mesh_edges) {
       if (edited) edge = mapped(edited->edges, edge);
       if (edge < 0) continue;

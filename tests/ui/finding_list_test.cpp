@@ -15,13 +15,23 @@ std::shared_ptr<PreparedFindings> three_findings() {
   findings->diagnosis.solved = true;
   auto& list = findings->diagnosis.findings;
   list.push_back(make_finding(FindingKind::ClosePoints, {ElementKind::PanelEdge, 3}, 0.05, 0.15, 0.5));
-  list.push_back(make_finding(FindingKind::NotConvex, {ElementKind::Panel, 0}, 40, 10, 0.2));
-  list.push_back(make_finding(FindingKind::NotConvex, {ElementKind::Panel, 1}, 20, 10, 0.1));
+  list.push_back(make_finding(FindingKind::IllDetermined, {ElementKind::Panel, 0}, 40, 10, 0.2));
+  list.push_back(make_finding(FindingKind::IllDetermined, {ElementKind::Panel, 1}, 20, 10, 0.1));
   list[0].mesh_edges = {2};
   list[1].mesh_edges = {1, 2};
   list[2].mesh_edges = {4};
   list[2].place = {5, 0, 0};
   return findings;
+}
+
+TEST(FindingListTest, FlagsNoEdgeWhereNoEditHelps) {
+  auto findings = three_findings();
+  for (const auto kind : {FindingKind::NotConvex, FindingKind::TwistedBeam}) {
+    for (Finding& finding : findings->diagnosis.findings) finding.kind = kind;
+    const FindingList list = make_finding_list(findings, nullptr, nullptr, {});
+    EXPECT_EQ(list.size(), 3);
+    EXPECT_TRUE(list.flagged.empty());
+  }
 }
 
 TEST(FindingListTest, FlagsEdgesWithTheWorstFirst) {
@@ -37,10 +47,10 @@ TEST(FindingListTest, FlagsEdgesWithTheWorstFirst) {
 
 TEST(FindingListTest, HiddenKindsAreCountedButNeitherListedNorFlagged) {
   HiddenFindings hidden;
-  hidden.set(static_cast<std::size_t>(FindingKind::NotConvex));
+  hidden.set(static_cast<std::size_t>(FindingKind::IllDetermined));
   const FindingList list = make_finding_list(three_findings(), nullptr, nullptr, hidden);
   EXPECT_EQ(list.size(), 1);
-  EXPECT_EQ(list.count[static_cast<std::size_t>(FindingKind::NotConvex)], 2);
+  EXPECT_EQ(list.count[static_cast<std::size_t>(FindingKind::IllDetermined)], 2);
   EXPECT_EQ(list.find_flagged(4), nullptr);
   EXPECT_EQ(list.row_of(0), 0);
   EXPECT_EQ(list.row_of(2), std::nullopt);
@@ -76,7 +86,7 @@ TEST(FindingListTest, PanelsHaveTheWorstThatTouchesThem) {
   EXPECT_EQ(severity[1], of_panels[1].severity);
   EXPECT_TRUE(std::isnan(severity[2]));
   HiddenFindings hidden;
-  hidden.set(static_cast<std::size_t>(FindingKind::NotConvex));
+  hidden.set(static_cast<std::size_t>(FindingKind::IllDetermined));
   EXPECT_TRUE(std::isnan(panel_severity(complex, of_panels, hidden)[0]));
 }
 

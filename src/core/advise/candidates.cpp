@@ -16,11 +16,6 @@ const double kLeastCosine = std::cos(72.0 * M_PI / 180.0);
 constexpr int kFewestFaces =
     5;  // of an inner vertex before it loses one, so that its panel keeps four corners
 
-// Findings whose places an edit betters; a reflex corner or a twisted beam is none of the mesh's faults.
-bool calls_for_edits(FindingKind kind) {
-  return kind != FindingKind::NotConvex && kind != FindingKind::TwistedBeam;
-}
-
 int opposite(const PolygonMesh& mesh, int face, const MeshEdge& edge) {
   for (const int v : mesh.corners(face))
     if (v != edge.a && v != edge.b) return v;

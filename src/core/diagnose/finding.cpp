@@ -30,6 +30,10 @@ const FindingKindInfo& info(FindingKind kind) {
   return infos[static_cast<size_t>(kind)];
 }
 
+bool calls_for_edits(FindingKind kind) {
+  return kind != FindingKind::NotConvex && kind != FindingKind::TwistedBeam;
+}
+
 Result<FindingKind> find_finding_kind(const std::string& name) {
   std::string known;
   for (const FindingKind kind : all_finding_kinds()) {

@@ -45,6 +45,8 @@ struct FindingKindInfo {
   double least_severity, most_severity;
 };
 const FindingKindInfo& info(FindingKind kind);
+// Whether an edit of the mesh is the remedy: a reflex corner or a twisted beam is none of the mesh's faults.
+bool calls_for_edits(FindingKind kind);
 // Fails with ErrorCode::Usage, the known names listed.
 Result<FindingKind> find_finding_kind(const std::string& name);
 
