@@ -2,7 +2,6 @@
 // where the panels are bad, and why. Writes no panels.
 #include <algorithm>
 #include <cstdio>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +12,7 @@
 #include "cli/findings_table.h"
 #include "cli/layer_jobs.h"
 #include "cli/layer_run.h"
+#include "cli/named_choice.h"
 #include "cli/output_files.h"
 #include "cli/solve_options.h"
 #include "core/base/atomic_file.h"
@@ -136,8 +136,8 @@ void add_diagnose_command(CLI::App& app, ExitStatus& status) {
   of_solve.push_back(declare_border_option(*command, options->solve));
   of_solve.push_back(
       command->add_option("--mode", options->mode, "'dual' or 'planarize' (default: whichever fits the mesh)")
-          ->transform(CLI::CheckedTransformer(std::map<std::string, ComplexKind>{
-              {"dual", ComplexKind::Dual}, {"planarize", ComplexKind::Planarize}})));
+          ->transform(named_choice<ComplexKind>(
+              {{"dual", ComplexKind::Dual}, {"planarize", ComplexKind::Planarize}})));
   auto* as_is = command->add_flag("--as-is", options->as_is,
                                   "Take the faces of IN as finished planar panels, and solve nothing");
   for (CLI::Option* option : of_solve) as_is->excludes(option);

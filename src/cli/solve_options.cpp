@@ -1,8 +1,7 @@
 #include "cli/solve_options.h"
 
-#include <map>
-
 #include "cli/finite_number.h"
+#include "cli/named_choice.h"
 #include "core/design/presets.h"
 #include "core/problem/demands/demand_catalogue.h"
 
@@ -34,10 +33,9 @@ std::vector<CLI::Option*> declare_wishes(CLI::App& command, const Options& optio
           .add_option("--freedom", options->settings.freedom,
                       "What may change of the planes: 'fixed', 'normals', or 'all' (normals and offsets, the "
                       "default)")
-          ->transform(
-              CLI::CheckedTransformer(std::map<std::string, Freedom>{{"fixed", Freedom::Fixed},
-                                                                     {"normals", Freedom::Normals},
-                                                                     {"all", Freedom::NormalsAndOffsets}})),
+          ->transform(named_choice<Freedom>({{"fixed", Freedom::Fixed},
+                                             {"normals", Freedom::Normals},
+                                             {"all", Freedom::NormalsAndOffsets}})),
       command.add_option("--preset", options->preset,
                          "Weights and constraints for a purpose: " + names_of(presets())),
       command.add_option("--weights", options->weights,
@@ -80,8 +78,7 @@ std::vector<CLI::Option*> declare_demands(CLI::App& command, const Options& opti
           .add_option(
               "--side", options->settings.side,
               "Side of the mesh that the panels lie on, 'outside' or 'inside' (default: by the offset)")
-          ->transform(CLI::CheckedTransformer(
-              std::map<std::string, Side>{{"outside", Side::Outside}, {"inside", Side::Inside}})),
+          ->transform(named_choice<Side>({{"outside", Side::Outside}, {"inside", Side::Inside}})),
       command.add_option("--select", options->selections,
                          "File of named selections, for --constraint ...@NAME"),
       command.add_option("--pin", options->pins, "File of pinned points and planes"),
@@ -119,15 +116,15 @@ std::vector<CLI::Option*> declare_unwritten_solve_options(CLI::App& command, con
                      .add_option("--offset", options->settings.offset,
                                  "Wanted distance from the input along its normals, model units")
                      ->check(finite_number());
-  std::map<std::string, SolverKind> solvers;
-  for (const SolverKind kind : all_solvers()) solvers[name(kind)] = kind;
+  std::vector<std::pair<std::string, SolverKind>> solvers;
+  for (const SolverKind kind : all_solvers()) solvers.emplace_back(name(kind), kind);
   auto* solver =
       command
           .add_option(
               "--solver", options->solver,
               "'tangent': the fast structured solver; 'ipopt': the general one; 'auto' (the default): "
               "tangent first, then Ipopt from there to confirm")
-          ->transform(CLI::CheckedTransformer(solvers));
+          ->transform(named_choice(std::move(solvers)));
   auto* explicit_points = command.add_flag(
       "--explicit", options->explicit_points,
       "No optimisation: intersect the tangent planes directly (the baseline), and say where that fails");
@@ -151,8 +148,8 @@ CLI::Option* declare_border_option(CLI::App& command, const Options& options) {
       .add_option("--border", options->settings.border,
                   "'closed': the outline of the design survives (default); 'interior': panels of inner "
                   "vertices alone")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, BorderPolicy>{
-          {"closed", BorderPolicy::Closed}, {"interior", BorderPolicy::Interior}}));
+      ->transform(named_choice<BorderPolicy>(
+          {{"closed", BorderPolicy::Closed}, {"interior", BorderPolicy::Interior}}));
 }
 
 }  // namespace planewright::cli

@@ -167,6 +167,17 @@ TEST_F(SolveCommands, AnUnknownSolverIsAnsweredWithTheKnownOnes) {
   EXPECT_FALSE(exists("p.obj"));
 }
 
+TEST_F(SolveCommands, AWrongNameIsAnsweredInWordsAndANumberIsNone) {
+  const std::string input = sample("dome", 50);
+  for (const auto& [option, known] :
+       {std::pair("--solver", "none of: ipopt, tangent, auto"),
+        std::pair("--freedom", "none of: fixed, normals, all"),
+        std::pair("--side", "none of: outside, inside"), std::pair("--border", "none of: closed, interior")})
+    for (const char* given : {"guess", "0"})
+      expect_refusal(run({"dual", input, "-o", path("p.obj"), option, given}), 2, {option, given, known});
+  EXPECT_FALSE(exists("p.obj"));
+}
+
 // There is nothing to solve for.
 TEST_F(SolveCommands, ExplicitGoesWithNoSolver) {
   const Ended refused =

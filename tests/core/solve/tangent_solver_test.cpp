@@ -242,13 +242,16 @@ TEST(TangentSolver, ALimitOfIterationsLeavesAPlanarStateAndSaysSo) {
     }
 }
 
+std::shared_ptr<const Problem> station_problem(const SharedComplex& complex, bool demands) {
+  return Problem::create(complex, demands ? demanding({demand("vertex"), demand("face"), demand("edge")})
+                                          : ProblemSettings{})
+      .value();
+}
+
 TEST(TangentSolver, StopsBeforeItBegins) {
   for (const bool demands : {false, true}) {
     const SharedComplex complex = sample_complex("train-station", 100, 0.1);
-    const auto problem =
-        Problem::create(complex, demands ? demanding({demand("vertex"), demand("face"), demand("edge")})
-                                         : ProblemSettings{})
-            .value();
+    const auto problem = station_problem(complex, demands);
     std::stop_source stop;
     stop.request_stop();
     const SolveReport report =
@@ -264,10 +267,7 @@ TEST(TangentSolver, StopsBeforeItBegins) {
 TEST(TangentSolver, StopsInTheMiddleWithAPlanarState) {
   for (const bool demands : {false, true}) {
     const SharedComplex complex = sample_complex("train-station", 100, 0.1);
-    const auto problem =
-        Problem::create(complex, demands ? demanding({demand("vertex"), demand("face"), demand("edge")})
-                                         : ProblemSettings{})
-            .value();
+    const auto problem = station_problem(complex, demands);
     SolveOptions options;
     options.tolerance = 1e-13;
     for (const int at : {0, 1, 4, 12, 21}) {
