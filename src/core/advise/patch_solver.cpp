@@ -181,25 +181,8 @@ Result<PatchSolver::Ground> PatchSolver::prepare(const std::vector<int>& centre,
 }
 
 Result<Trial> PatchSolver::attempt(const Ground& ground, const MeshEdit& edit, std::stop_token stop) const {
-  MeshEdit here = edit;
   const ElementMap& map = ground.patch.from_whole;
-  const auto index = [](const IndexMap& list, int element) {
-    return list.to_new[static_cast<size_t>(element)];
-  };
-  switch (edit.kind) {
-    case EditKind::MoveVertex:
-      here.element = index(map.vertices, edit.element);
-      break;
-    case EditKind::SplitFace:
-      for (int& corner : here.corners) corner = index(map.vertices, corner);
-      [[fallthrough]];
-    case EditKind::DeleteFace:
-      here.element = index(map.faces, edit.element);
-      break;
-    default:
-      here.element = index(map.edges, edit.element);
-  }
-  auto edited = apply(ground.patch.mesh, here);
+  auto edited = apply(ground.patch.mesh, renumbered(edit, map));
   if (!edited) return tl::unexpected(edited.error());
   auto complex = build(edited->mesh, advised_.settings, advised_.complex->mean_edge);
   if (!complex) return tl::unexpected(complex.error());

@@ -255,6 +255,30 @@ std::string describe(const MeshEdit& edit) {
   return "";
 }
 
+MeshEdit renumbered(const MeshEdit& edit, const ElementMap& map) {
+  const auto now = [](const IndexMap& list, int element) {
+    return element < 0 ? -1 : list.to_new[static_cast<size_t>(element)];
+  };
+  MeshEdit result = edit;
+  switch (edit.kind) {
+    case EditKind::MoveVertex:
+      result.element = now(map.vertices, edit.element);
+      break;
+    case EditKind::SplitFace:
+      for (int& corner : result.corners) corner = now(map.vertices, corner);
+      [[fallthrough]];
+    case EditKind::DeleteFace:
+      result.element = now(map.faces, edit.element);
+      break;
+    case EditKind::Flip:
+    case EditKind::Join:
+    case EditKind::SplitEdge:
+    case EditKind::Collapse:
+      result.element = now(map.edges, edit.element);
+  }
+  return result;
+}
+
 Result<EditedMesh> apply(const PolygonMesh& mesh, const MeshEdit& edit) {
   if (auto allowed = may_apply(mesh, edit); !allowed) return tl::unexpected(allowed.error());
   switch (edit.kind) {
