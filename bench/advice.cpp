@@ -158,7 +158,7 @@ double solved_again(const PatchSolver& patches, const Trial& trial, const Polygo
   SolveOptions options = solve_options(advised.settings);
   options.near_solution = true;
   const SolveReport report =
-      solver.solve(*problem, adopt(advised, trial, *complex, map), options, nullptr, {});
+      solver.solve(*problem, adopt(advised, {trial}, *complex, map), options, nullptr, {});
   return badness(*complex, report.state, round);
 }
 
@@ -209,6 +209,10 @@ void measure(const std::string& name, const PolygonMesh& mesh, const AdviceOptio
     unmet += !trial->met;
     const double gain = total(ground->as_it_is.score) - total(trial->score);
     const double truth = real_gain(patches, candidate, ground->as_it_is, *trial, *solver);
+    if (std::getenv("DUMP")) {
+      const Score& b = ground->as_it_is.score; const Score& a = trial->score;
+      std::printf("DUMP %d %d %.4f %.4f | E %.3f %.3f X %.0f %.0f S %.2f %.2f R %.2f %.2f F %.2f %.2f urg %.3f\n", candidate.mesh_edge, (int)candidate.edit.kind, gain, truth, b.energy, a.energy, b.crossing, a.crossing, b.short_edges, a.short_edges, b.reversed, a.reversed, b.far_points, a.far_points, candidate.urgency);
+    }
     predicted.push_back(gain);
     real.push_back(truth);
     valence.push_back(valence_rule(mesh, candidate.mesh_edge));

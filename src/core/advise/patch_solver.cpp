@@ -237,6 +237,8 @@ Result<Trial> PatchSolver::solve(std::shared_ptr<const TangentComplex> complex, 
     trial = std::move(afresh);
   trial.complex = std::move(complex);
   trial.from_whole = from_whole;
+  trial.free_planes = planes;
+  trial.free_points = points;
   return trial;
 }
 

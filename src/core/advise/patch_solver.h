@@ -43,7 +43,8 @@ struct Trial {
   Score score;       // of the free region
   std::shared_ptr<const TangentComplex> complex;
   State state;
-  ElementMap from_whole;  // old: of the whole mesh, new: of the (edited) patch
+  ElementMap from_whole;                       // old: of the whole mesh, new: of the (edited) patch
+  std::vector<char> free_planes, free_points;  // which of the complex's were not held
 };
 
 class PatchSolver {

@@ -234,6 +234,26 @@ Result<EditedMesh> without_face(const PolygonMesh& mesh, int face) {
 
 }  // namespace
 
+const char* name(EditKind kind) {
+  switch (kind) {
+    case EditKind::Flip:
+      return "flip";
+    case EditKind::Join:
+      return "join";
+    case EditKind::SplitEdge:
+      return "split-edge";
+    case EditKind::SplitFace:
+      return "split-face";
+    case EditKind::Collapse:
+      return "collapse";
+    case EditKind::MoveVertex:
+      return "move-vertex";
+    case EditKind::DeleteFace:
+      return "delete-face";
+  }
+  return "";
+}
+
 std::string describe(const MeshEdit& edit) {
   const std::string element = std::to_string(edit.element);
   switch (edit.kind) {

@@ -55,6 +55,7 @@ struct MeshEdit {
   bool operator==(const MeshEdit&) const = default;
 };
 
+const char* name(EditKind kind);  // "split-edge": in reports
 // "Flip edge 1042"
 std::string describe(const MeshEdit& edit);
 

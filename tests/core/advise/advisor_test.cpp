@@ -148,7 +148,7 @@ TEST(PatchSolver, WhatItFindsIsAPlanarStartForTheWhole) {
   const Trial trial = solver.attempt(solver.prepare(candidate.centre, 2).value(), candidate.edit).value();
   const EditedMesh edited = apply(*advised.mesh, candidate.edit).value();
   const auto complex = build_complex(edited.mesh, advised.settings).value();
-  const State state = adopt(advised, trial, *complex, edited.map);
+  const State state = adopt(advised, {trial}, *complex, edited.map);
   EXPECT_LE(incidence_residuals(*complex, state).lpNorm<Eigen::Infinity>(), 1e-9 * complex->mean_edge);
 }
 
