@@ -145,44 +145,59 @@ class Improver {
     if (!solver) return tl::unexpected(solver.error());
     AdviceOptions advice = options_.advice;
     advice.weights = weights(last_resort);
-    const std::vector<Candidate> all = candidates(last_resort);
     if (observer_) advice.progress = [&](int rated, int of) { observer_->on_rated(number, rated, of); };
-    const std::vector<Suggestion> suggestions = rate(*solver, all, advice, {}, stop_);
-    std::vector<Suggestion> batch;
-    for (const int k : choose_apart(*now_.design.mesh, suggestions, advice.radius))
-      if (static_cast<int>(batch.size()) < edits_left()) batch.push_back(suggestions[static_cast<size_t>(k)]);
+    const std::vector<Candidate> all = candidates(last_resort);
+    std::vector<Suggestion> suggestions = rate(*solver, all, advice, {}, stop_);
 
     ImproveReport::Round result;
     result.rated = static_cast<int>(all.size());
-    bool helped = false;
-    while (!batch.empty() && !helped && !stop_.stop_requested()) {
-      auto next = applied(*solver, batch, advice);
+    while (!suggestions.empty() && result.edits == 0 && !stop_.stop_requested()) {
+      std::vector<Suggestion> batch;
+      for (const int k : choose_apart(*now_.design.mesh, suggestions, advice.radius))
+        if (static_cast<int>(batch.size()) < edits_left())
+          batch.push_back(suggestions[static_cast<size_t>(k)]);
+      auto next = best_part(*solver, batch, advice);
       if (!next) return tl::unexpected(next.error());
-      const double fall = next->has_value() ? total(now_.measure.score) - total((*next)->measure.score) : 0.0;
-      if (next->has_value() && fall > kLeastFall &&
-          (*next)->measure.unbuildable() <= now_.measure.unbuildable()) {
-        result.edits = static_cast<int>(batch.size());
-        result.gained = fall;
-        for (const Suggestion& suggestion : batch) {
-          const double gain = suggestion.gain(advice.weights);
-          result.predicted += gain;
-          report_.applied.push_back({named(suggestion.candidate.edit, now_.ids), gain, number});
-        }
-        report_.dropped.insert(report_.dropped.end(), (*next)->dropped.begin(), (*next)->dropped.end());
-        report_.solve = (*next)->solve;
-        now_ = std::move(**next);
-        helped = true;
-      } else if (batch.size() == 1) {
+      if (next->has_value()) {
+        keep(std::move(**next), batch, number, advice, result);
+      } else {  // what was tried alone last does not help; what was rated still holds
         useless_.insert(key(batch.front().candidate));
-        batch.clear();
-      } else {
-        batch.resize(batch.size() / 2);
+        std::erase_if(suggestions,
+                      [&](const Suggestion& each) { return useless_.contains(key(each.candidate)); });
       }
     }
     report_.rounds.push_back(result);
     if (observer_) observer_->on_round(number, result, now_.measure);
-    // A best edit that did not help is out of the way: the next round tries the next best.
-    return helped || (!suggestions.empty() && !stop_.stop_requested());
+    return result.edits > 0;
+  }
+
+  // The design after the batch, or after its better half, and so on, if that is better; batch: cut to what
+  // was applied. Nothing: not even its best edit alone betters the design.
+  Result<std::optional<Stage>> best_part(const PatchSolver& solver, std::vector<Suggestion>& batch,
+                                         const AdviceOptions& advice) {
+    while (true) {
+      auto next = applied(solver, batch, advice);
+      if (!next) return next;
+      if (next->has_value() && total(now_.measure.score) - total((*next)->measure.score) > kLeastFall &&
+          (*next)->measure.unbuildable() <= now_.measure.unbuildable())
+        return next;
+      if (batch.size() == 1 || stop_.stop_requested()) return std::nullopt;
+      batch.resize(batch.size() / 2);
+    }
+  }
+
+  void keep(Stage next, const std::vector<Suggestion>& batch, int number, const AdviceOptions& advice,
+            ImproveReport::Round& result) {
+    result.edits = static_cast<int>(batch.size());
+    result.gained = total(now_.measure.score) - total(next.measure.score);
+    for (const Suggestion& suggestion : batch) {
+      const double gain = suggestion.gain(advice.weights);
+      result.predicted += gain;
+      report_.applied.push_back({named(suggestion.candidate.edit, now_.ids), gain, number});
+    }
+    report_.dropped.insert(report_.dropped.end(), next.dropped.begin(), next.dropped.end());
+    report_.solve = next.solve;
+    now_ = std::move(next);
   }
 
   // The design after a batch; nothing where an edit was refused or the solve came to no planar state.
