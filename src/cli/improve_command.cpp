@@ -64,8 +64,13 @@ Result<ImproveReport> improved(const LayerJob& job, const ImproveCommandOptions&
   const SolveCommandOptions& solve = *options.solve;
   auto solved = solve_job(job, solve, files, {});
   if (!solved) return tl::unexpected(solved.error());
-  const Advised design{mesh,           job.complex, solved->state, job.layer.settings, files.selections,
-                       files.reference};
+  const Advised design{mesh,
+                       job.complex,
+                       solved->state,
+                       job.layer.settings,
+                       files.selections,
+                       files.reference,
+                       solved->status == SolveStatus::Converged};
   if (!is_planar(solved->status)) return unedited(design, std::move(*solved), findings);
   ImproveOptions improving;
   improving.max_edits = options.max_edits;

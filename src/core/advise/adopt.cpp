@@ -54,7 +54,8 @@ State adopt(const Advised& advised, const std::vector<Trial>& trials, const Tang
             const ElementMap& map) {
   State state = transfer(*advised.complex, advised.state, edited, &map);
   const Places places(edited);
-  for (const Trial& trial : trials) take_over(trial, map, edited, places, state);
+  for (auto trial = trials.rbegin(); trial != trials.rend(); ++trial)
+    take_over(*trial, map, edited, places, state);
   return state;
 }
 

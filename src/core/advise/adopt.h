@@ -9,8 +9,8 @@
 namespace planewright {
 
 // edited: the whole complex after the edits; `map` leads from the advised mesh to its own. trials: of edits
-// that lie apart (edit_plan.h). What neither the state before nor a trial knows starts where `edited` prefers
-// it.
+// that lie apart (edit_plan.h); where what they moved overlaps, the first one counts. What neither the state
+// before nor a trial knows starts where `edited` prefers it.
 State adopt(const Advised& advised, const std::vector<Trial>& trials, const TangentComplex& edited,
             const ElementMap& map);
 

@@ -27,7 +27,7 @@ void mark(const PolygonMesh& mesh, const std::vector<int>& centre, int rings, st
 
 }  // namespace
 
-std::vector<int> choose_apart(const PolygonMesh& mesh, const std::vector<Suggestion>& ranked, int radius) {
+std::vector<int> choose_apart(const PolygonMesh& mesh, const std::vector<Suggestion>& ranked) {
   std::vector<char> taken(static_cast<size_t>(mesh.vertex_count()), 0);
   std::vector<int> chosen;
   for (size_t k = 0; k < ranked.size(); ++k) {
@@ -35,7 +35,7 @@ std::vector<int> choose_apart(const PolygonMesh& mesh, const std::vector<Suggest
     if (std::any_of(centre.begin(), centre.end(), [&](int v) { return taken[static_cast<size_t>(v)] != 0; }))
       continue;
     chosen.push_back(static_cast<int>(k));
-    mark(mesh, centre, 2 * radius - 1, taken);
+    mark(mesh, centre, kApart - 1, taken);
   }
   return chosen;
 }

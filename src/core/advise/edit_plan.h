@@ -1,5 +1,5 @@
-// EditPlan: suggestions that can be applied together, "all that gain": none lies where another was rated, so
-// that what each was predicted to gain still holds when the others are done.
+// EditPlan: suggestions that can be applied together, "all that gain": none lies close to another, so that
+// what each was predicted to gain mostly holds when the others are done.
 //
 // Indices of the advised mesh. Threads: pure. Deterministic.
 #pragma once
@@ -11,9 +11,10 @@
 namespace planewright {
 
 // Which of the ranked suggestions to apply, as indices into them: the best, then the best of those whose
-// centres lie at least 2 radius edges from all that are chosen (the planes that a trial moves then have no
-// point in common with those of another), and so on. O(#chosen patches).
-std::vector<int> choose_apart(const PolygonMesh& mesh, const std::vector<Suggestion>& ranked, int radius);
+// centres lie at least kApart edges from all that are chosen, and so on: farther than most of what an edit
+// moves. O(#chosen patches).
+inline constexpr int kApart = 4;
+std::vector<int> choose_apart(const PolygonMesh& mesh, const std::vector<Suggestion>& ranked);
 
 // The edits of suggestions one after another, each of the mesh that those before it have made. Some may be
 // missing at the end: from the first that the mesh refuses on.

@@ -153,7 +153,7 @@ class Improver {
     result.rated = static_cast<int>(all.size());
     while (!suggestions.empty() && result.edits == 0 && !stop_.stop_requested()) {
       std::vector<Suggestion> batch;
-      for (const int k : choose_apart(*now_.design.mesh, suggestions, advice.radius))
+      for (const int k : choose_apart(*now_.design.mesh, suggestions))
         if (static_cast<int>(batch.size()) < edits_left())
           batch.push_back(suggestions[static_cast<size_t>(k)]);
       auto next = best_part(*solver, batch, advice);
@@ -245,6 +245,7 @@ class Improver {
     if (solved->status != SolveStatus::Converged && solved->status != SolveStatus::Planar)
       return std::nullopt;
     stage.design.state = solved->state;
+    stage.design.converged = solved->status == SolveStatus::Converged;
     stage.solve = std::move(*solved);
     if (auto measured = measure(stage); !measured) return tl::unexpected(measured.error());
     return stage;

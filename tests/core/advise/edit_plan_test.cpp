@@ -19,7 +19,7 @@ TEST(EditPlan, ChoosesTheBestAndKeepsAway) {
   const PolygonMesh mesh = make_sample("dome", 2000).value();
   std::vector<Suggestion> ranked;
   for (int e = 0; e < mesh.edge_count(); ++e) ranked.push_back(at_edge(mesh, e, MeshEdit::flip(e)));
-  const std::vector<int> chosen = choose_apart(mesh, ranked, 2);
+  const std::vector<int> chosen = choose_apart(mesh, ranked);
   ASSERT_GT(chosen.size(), 20u);
   EXPECT_EQ(chosen.front(), 0);
   // Distances in edges from the first chosen centre, by breadth.
@@ -37,13 +37,13 @@ TEST(EditPlan, ChoosesTheBestAndKeepsAway) {
   for (size_t k = 1; k < chosen.size(); ++k)
     for (const int v : ranked[static_cast<size_t>(chosen[k])].candidate.centre)
       nearest = std::min(nearest, distance[static_cast<size_t>(v)]);
-  EXPECT_EQ(nearest, 4);  // no nearer than 2 radius, and no farther than needed
+  EXPECT_EQ(nearest, kApart);  // no nearer, and no farther than needed
 }
 
 TEST(EditPlan, OfTheSamePlaceOnlyTheBetter) {
   const PolygonMesh mesh = make_sample("dome", 200).value();
   const int e = mesh.edge_count() / 2;
-  EXPECT_EQ(choose_apart(mesh, {at_edge(mesh, e, MeshEdit::join(e)), at_edge(mesh, e, MeshEdit::flip(e))}, 2),
+  EXPECT_EQ(choose_apart(mesh, {at_edge(mesh, e, MeshEdit::join(e)), at_edge(mesh, e, MeshEdit::flip(e))}),
             std::vector{0});
 }
 
