@@ -21,7 +21,7 @@ TEST(DiagnosisRecord, TellsWhatWasFoundWhere) {
   scene.put(2, 0.3, 0.0);
   scene.put(5, 0.3, 1.0);
   const DiagnosisRecord record = record_of(scene);
-  const Json json = Json::parse(to_json("a \"roof\".obj", {record}, {}));
+  const Json json = Json::parse(to_json("a \"roof\".obj", grid(2, 1).mesh(), {record}, {}));
   EXPECT_EQ(json["input"], "a \"roof\".obj");
   EXPECT_EQ(json["mode"], "planarize");
   EXPECT_TRUE(json["status"].is_null());
@@ -41,8 +41,8 @@ TEST(DiagnosisRecord, TellsWhatWasFoundWhere) {
 }
 
 TEST(DiagnosisRecord, SaysThatAStateIsNotSolved) {
-  const Json json =
-      Json::parse(to_json("in.obj", {record_of(Scene(planarize_of(twisted_grid(2, 2).mesh())))}, {}));
+  const PolygonMesh mesh = twisted_grid(2, 2).mesh();
+  const Json json = Json::parse(to_json("in.obj", mesh, {record_of(Scene(planarize_of(mesh)))}, {}));
   EXPECT_EQ(json["solved"], false);
   EXPECT_GT(json["off_planes"].get<double>(), 0.0);
   EXPECT_TRUE(json["counts"].is_null());
@@ -55,7 +55,7 @@ TEST(DiagnosisRecord, OfLayersIsAList) {
   inner.layer = "inner";
   inner.solve = SolveReport{};
   inner.solve->status = SolveStatus::Planar;
-  const Json json = Json::parse(to_json("in.obj", {outer, inner}, {}));
+  const Json json = Json::parse(to_json("in.obj", grid(2, 1).mesh(), {outer, inner}, {}));
   ASSERT_EQ(json["layers"].size(), 2u);
   EXPECT_EQ(json["layers"][1]["name"], "inner");
   EXPECT_EQ(json["layers"][1]["status"], name(SolveStatus::Planar));
