@@ -137,6 +137,38 @@ TEST(PatchSolver, MovesAVertexOfPlanarizedQuads) {
     }
 }
 
+TEST(PatchSolver, TriesEditsUnderDemands) {
+  // What is held outside is no demand that another could contradict.
+  for (const char* name : {"uncrossed", "convex"}) {
+    SCOPED_TRACE(name);
+    LayerSettings settings = planarizing();
+    settings.demands.list = {{name}};
+    const Advised advised = solved(make_sample("turning-strip", 300).value(), settings);
+    const auto solver = PatchSolver::create(advised).value();
+    const auto candidates = find_candidates(advised, diagnose(*advised.complex, advised.state).findings);
+    ASSERT_FALSE(candidates.empty());
+    for (const Candidate& candidate : candidates) {
+      SCOPED_TRACE(describe(candidate.edit));
+      const auto ground = solver.prepare(candidate.centre, 2);
+      ASSERT_TRUE(ground) << ground.error().text();
+      EXPECT_TRUE(ground->as_it_is.met);
+      expect_held_and_planar(*ground, solver.attempt(*ground, candidate.edit).value());
+    }
+  }
+}
+
+TEST(PatchSolver, TriesEditsOfADualInFrontOfItsMesh) {
+  LayerSettings settings;
+  settings.demands.list = {{"vertex"}, {"face"}};
+  const BadDome dome;
+  const Advised advised = solved(dome.mesh, settings);
+  const auto solver = PatchSolver::create(advised).value();
+  const auto candidate = candidates_at(advised, dome.edge, false).at(0);
+  const auto ground = solver.prepare(candidate.centre, 2);
+  ASSERT_TRUE(ground) << ground.error().text();
+  expect_held_and_planar(*ground, solver.attempt(*ground, candidate.edit).value());
+}
+
 TEST(PatchSolver, GivesTheSameBitsForTheSameEdit) {
   const BadDome dome;
   const Advised advised = solved(dome.mesh);
