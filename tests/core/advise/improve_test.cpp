@@ -38,10 +38,14 @@ class Watcher final : public ImproveObserver {
   std::vector<DesignMeasure> measures;  // after each
 };
 
-ImproveReport improved(const Advised& design, const ImproveOptions& options = {}, Watcher* watcher = nullptr,
+ImproveReport improved(const Advised& design, const ImproveOptions& options, Watcher* watcher = nullptr,
                        std::stop_token stop = {}) {
   const auto solver = make_solver(SolverKind::Tangent);
   return improve(*solver, design, options, watcher, std::move(stop)).value();
+}
+ImproveReport improved(const Advised& design, Watcher* watcher = nullptr, std::stop_token stop = {}) {
+  const ImproveOptions options;
+  return improved(design, options, watcher, std::move(stop));
 }
 
 DesignMeasure measured(const Advised& design) {
@@ -132,7 +136,7 @@ PolygonMesh by_names(const PolygonMesh& mesh, const ImproveReport& report) {
 TEST(Improve, LeavesNothingOfABadSaddleThatCannotBeBuilt) {
   const Advised design = solved(make_sample("bad-saddle", 300).value());
   Watcher watcher;
-  const ImproveReport report = improved(design, {}, &watcher);
+  const ImproveReport report = improved(design, &watcher);
   expect_honest(design, report);
   expect_map_leads(design, report);
   EXPECT_GT(report.before.unbuildable(), 0);
@@ -312,7 +316,7 @@ TEST(Improve, AStopBeforeItBeginsGivesTheDesignAsItIs) {
   const Advised design = solved(make_sample("bad-saddle", 300).value());
   std::stop_source stop;
   stop.request_stop();
-  const ImproveReport report = improved(design, {}, nullptr, stop.get_token());
+  const ImproveReport report = improved(design, nullptr, stop.get_token());
   EXPECT_TRUE(report.stopped);
   expect_honest(design, report);
   EXPECT_TRUE(report.applied.empty());
@@ -326,7 +330,7 @@ TEST(Improve, AStopOnTheWayKeepsWhatWasReached) {
     std::stop_source stop;
     Watcher watcher;
     watcher.after_round = [&] { stop.request_stop(); };
-    const ImproveReport report = improved(design, {}, &watcher, stop.get_token());
+    const ImproveReport report = improved(design, &watcher, stop.get_token());
     EXPECT_TRUE(report.stopped);
     EXPECT_EQ(report.rounds.size(), 1u);
     EXPECT_GT(report.applied.size(), 0u);
@@ -337,7 +341,7 @@ TEST(Improve, AStopOnTheWayKeepsWhatWasReached) {
     std::stop_source stop;
     Watcher watcher;
     watcher.on_rating = [&] { stop.request_stop(); };
-    const ImproveReport report = improved(design, {}, &watcher, stop.get_token());
+    const ImproveReport report = improved(design, &watcher, stop.get_token());
     EXPECT_TRUE(report.stopped);
     EXPECT_TRUE(report.applied.empty());
     expect_honest(design, report);
@@ -391,7 +395,7 @@ TEST(Improve, FailsWhereThereIsNoProblemToSolve) {
   Advised design = solved(make_sample("dome", 100).value());
   design.settings.demands.list = {{"vertex", true, "nowhere", {}}};
   const auto solver = make_solver(SolverKind::Tangent);
-  EXPECT_FALSE(improve(*solver, design, {}));
+  EXPECT_FALSE(improve(*solver, design, ImproveOptions()));
 }
 
 }  // namespace
