@@ -1,5 +1,8 @@
-// Progress of rating and applying edits on stderr, and Ctrl-C as a stop request.
+// Progress of rating and applying edits on stderr, and Ctrl-C as a stop request: looked for by a thread of
+// its own, because the solves between two edits tell nobody of their steps.
 #pragma once
+
+#include <thread>
 
 #include "cli/progress.h"
 #include "core/advise/improve.h"
@@ -20,6 +23,7 @@ class EditProgress final : public ImproveObserver {
 
   Progress interrupt_;
   bool quiet_, terminal_, line_open_ = false;
+  std::jthread watcher_;  // last: it uses interrupt_
 };
 
 }  // namespace planewright::cli

@@ -51,7 +51,7 @@ void print_improvement(const ImproveRecord& record, const std::string& unit) {
   print_row("energy", before.score.energy, after.score.energy);
   print_row("score (lower is better)", total(before.score), total(after.score));
   if (!report.left.empty()) {
-    std::printf("left, because nothing that was tried there helps:\n");
+    std::printf("left, with the best of what was tried there:\n");
     for (size_t k = 0; k < report.left.size() && k < kLeftShown; ++k) print_left(report.left[k]);
     if (report.left.size() > kLeftShown)
       std::printf("  ... and %zu more (--report lists all)\n", report.left.size() - kLeftShown);
