@@ -6,6 +6,7 @@
 #include "ui/layer_edits.h"
 #include "ui/script.h"
 #include "ui/solve_badge.h"
+#include "ui/suggestion_text.h"
 #include "ui/test_driver.h"
 
 namespace planewright::ui {
@@ -96,6 +97,31 @@ std::optional<std::string> finding_value(const AppState& state, const std::strin
   return std::nullopt;
 }
 
+// suggestions: how many there are, "none" as long as none is known; suggestions_listed: of the kinds that are
+// not left out; suggestions_together: that are applied with one button; suggestion: the row that the designer
+// is at, -1 for none; suggestion.ROW.gain, .edit, .edge; rated, candidates: how far the rating is; rating.
+std::optional<std::string> suggestion_value(const AppState& state, const std::string& key) {
+  const SuggestionList& list = state.suggestion_list();
+  if (key == "suggestions") return list.from ? std::to_string(list.from->ranked.size()) : "none";
+  if (key == "suggestions_listed") return text_of(list.size());
+  if (key == "suggestions_together") return std::to_string(list.together.size());
+  if (key == "suggestions_text") return why_no_suggestions(state);
+  if (key == "suggestion") return text_of(state.current_suggestion().value_or(-1));
+  if (key == "rating") return state.rating() ? "1" : "0";
+  if (key == "rated") return text_of(list.from ? list.from->tried : 0);
+  if (key == "candidates") return text_of(list.from ? list.from->candidates : 0);
+  if (!key.starts_with("suggestion.")) return std::nullopt;
+  const std::size_t dot = key.find('.', 11);
+  const auto row = number_in(key.substr(11, dot == std::string::npos ? dot : dot - 11));
+  if (!row || dot == std::string::npos || *row < 0 || *row >= list.size()) return std::nullopt;
+  const Suggestion& suggestion = list.at(static_cast<int>(*row));
+  const std::string what = key.substr(dot + 1);
+  if (what == "gain") return text_of(suggestion.gain());
+  if (what == "edit") return state.edit_name(suggestion.candidate.edit);
+  if (what == "edge") return text_of(suggestion.candidate.mesh_edge);
+  return std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<std::string>& state_keys() {
@@ -138,6 +164,13 @@ const std::vector<std::string>& state_keys() {
                                                 "finding",
                                                 "solved",
                                                 "flagged",
+                                                "suggestions",
+                                                "suggestions_listed",
+                                                "suggestions_together",
+                                                "suggestion",
+                                                "rating",
+                                                "rated",
+                                                "candidates",
                                                 "history",
                                                 "fingerprint",
                                                 "undo",
@@ -242,6 +275,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "displacement") return text_of(shown ? shown->displacement.rms : 0.0);
   if (key == "objective") return text_of(state.history().empty() ? 0.0 : state.history().back().objective);
   if (auto value = finding_value(state, key)) return value;
+  if (auto value = suggestion_value(state, key)) return value;
   if (key == "findings_text") return why_no_findings(findings_standing(state), c.window.settings.unit);
   if (key == "history") return count(document.history().size());
   if (key == "steps_done") return count(document.steps_done());

@@ -1,0 +1,259 @@
+// The suggestions in the right panel: edits of the mesh, best first, what each gains and of what that is
+// made, and the buttons that apply them.
+#include <imgui_internal.h>
+
+#include <algorithm>
+#include <cfloat>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ui/format.h"
+#include "ui/panels.h"
+#include "ui/suggestion_text.h"
+
+namespace planewright::ui {
+namespace {
+
+constexpr float kRows = 7.5f;       // that are in sight; half a row says that there are more
+constexpr float kNumberWidth = 46;  // pixels at scale 1
+constexpr float kBarWidth = 34;
+
+float text_width(ImFont* font, const std::string& text) {
+  return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
+}
+
+// A bar, and how far the rating is, while it goes on.
+void draw_progress(Ui& ui, const Advice& advice) {
+  if (!advice.listed) {
+    ui.small_text("Looking for edits…");
+    return;
+  }
+  ui.small_text("Rating edits… " + format_count(advice.tried) + " of " + format_count(advice.candidates));
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(3);
+  const float part = static_cast<float>(advice.tried) / static_cast<float>(std::max(advice.candidates, 1));
+  draw.AddRectFilled(min, ImVec2(min.x + width, min.y + height), ui.colours().hovered, height);
+  draw.AddRectFilled(min, ImVec2(min.x + part * width, min.y + height), ui.colours().accent, height);
+  ImGui::Dummy(ImVec2(width, height));
+}
+
+void draw_kinds(Desk& desk, const SuggestionList& list) {
+  Ui& ui = desk.ui;
+  if (std::count_if(list.count.begin(), list.count.end(), [](int n) { return n > 0; }) < 2) return;
+  const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
+  HiddenEdits hidden = list.hidden;
+  bool first = true;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(4), ui.px(4)));
+  for (std::size_t k = 0; k < list.count.size(); ++k) {
+    if (list.count[k] == 0) continue;
+    const std::string word = kind_word(static_cast<EditKind>(k));
+    const bool on = !hidden[k];
+    if (ui.chip("edits " + word, word + "  " + format_count(list.count[k]), on, ui.colours().accent, right,
+                first)) {
+      if (ImGui::GetIO().KeyCtrl) {
+        hidden.set();
+        hidden.reset(k);
+      } else {
+        hidden.flip(k);
+      }
+    }
+    ui.tooltip_if_hovered(capitalised(word) + (on ? ": click leaves them out, " : ": click lists them, ") +
+                          "Ctrl click lists them alone.");
+    first = false;
+  }
+  ImGui::PopStyleVar();
+  ui.gap(2);
+  desk.state.view_options.hidden_edits = hidden;
+}
+
+void draw_row(Desk& desk, const SuggestionList& list, int row, std::optional<int> current, bool fits,
+              float height) {
+  Ui& ui = desk.ui;
+  AppState& state = desk.state;
+  const Palette& p = ui.colours();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Suggestion& suggestion = list.at(row);
+  const MeshEdit edit = suggestion.candidate.edit;
+  const ImVec2 min = ImGui::GetCursorScreenPos();
+  const float list_left = ImGui::GetWindowPos().x;
+  ImGui::PushID(row);
+  const bool pressed = ImGui::Selectable("##suggestion", current == row,
+                                         ImGuiSelectableFlags_AllowDoubleClick, ImVec2(0, height));
+  ImGui::PopID();
+  ui.record_item("suggestion " + std::to_string(row));
+  const ImVec2 max(ImGui::GetItemRectMax().x - ui.px(4), min.y + height);
+  const bool hovered = ImGui::IsItemHovered();
+  if (hovered) {
+    state.pointed_edit = edit;
+    // Beside the panel: the rows below stay in sight.
+    ImGui::SetNextWindowPos(ImVec2(list_left - ui.px(14), min.y), ImGuiCond_Always, ImVec2(1, 0));
+    explain_suggestion(ui, state, suggestion);
+  }
+  if (pressed) {
+    // The list may have moved under the mouse between the two clicks: the second is for what the first chose.
+    if (!ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+      desk.window.suggestion_wanted = edit;
+    } else if (current == row) {
+      desk.actions.request(Action::ApplySuggestion);
+    }
+  }
+
+  const float alpha = fits ? 1.0f : 0.55f;
+  const double best = std::max(list.from->ranked.front().gain(), 1e-12);
+  const double gain = suggestion.gain();
+  ImFont *font = ui.theme().regular(), *small = ui.theme().small();
+  const float number_left = max.x - ui.px(kNumberWidth), bar_left = number_left - ui.px(kBarWidth);
+  const std::string name = state.edit_name(edit);
+  const float name_right = min.x + ui.px(6) + text_width(font, name);
+  draw_text_aligned(draw, font, ImVec2(min.x + ui.px(6), min.y), max, 0.0f, with_alpha(p.ink, alpha),
+                    elided(font, name, bar_left - min.x - ui.px(12)));
+  const std::string panels = panels_at(state, suggestion.candidate);
+  const float room = bar_left - name_right - ui.px(18);
+  if (!panels.empty() && room > text_width(small, panels)) {
+    draw_text_aligned(draw, small, ImVec2(name_right + ui.px(9), min.y), max, 0.0f,
+                      with_alpha(p.ink_faint, alpha), panels);
+  }
+  const float y = std::round(0.5f * (min.y + max.y)), half = ui.px(2.5f);
+  const float length = std::max(static_cast<float>(gain / best) * ui.px(kBarWidth), ui.px(2));
+  draw.AddRectFilled(ImVec2(bar_left, y - half), ImVec2(bar_left + ui.px(kBarWidth), y + half), p.hovered,
+                     half);
+  draw.AddRectFilled(ImVec2(bar_left, y - half), ImVec2(bar_left + length, y + half),
+                     with_alpha(suggestion.met ? p.accent : p.ink_faint, alpha), half);
+  draw_text_aligned(draw, font, min, max, 1.0f, with_alpha(suggestion.met ? p.ink : p.ink_faint, alpha),
+                    gain_text(gain));
+}
+
+void draw_rows(Desk& desk, const SuggestionList& list, bool fits) {
+  Ui& ui = desk.ui;
+  const auto current = desk.state.current_suggestion();
+  const float height = ImGui::GetTextLineHeight() + ui.px(7);
+  const float rows = std::min(static_cast<float>(list.size()), kRows);
+  ImGui::PushStyleColor(ImGuiCol_ChildBg, to_vec4(ui.colours().raised));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(6), ui.px(4)));
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(6), 0));
+  ImGui::BeginChild("suggestions", ImVec2(0, height * rows + ui.px(10)), true);
+  // The current one comes into sight when it becomes that.
+  if (current != desk.window.listed_suggestion) {
+    desk.window.listed_suggestion = current;
+    const float top = height * static_cast<float>(current.value_or(0));
+    const float room = ImGui::GetWindowHeight() - 2 * height;
+    if (current && (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + room))
+      ImGui::SetScrollY(top - 0.5f * room);
+  }
+  ImGuiListClipper clipper;
+  clipper.Begin(list.size(), height);
+  while (clipper.Step()) {
+    for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row)
+      draw_row(desk, list, row, current, fits, height);
+  }
+  ImGui::EndChild();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+}
+
+void draw_buttons(Desk& desk, const SuggestionList& list) {
+  Ui& ui = desk.ui;
+  ui.gap(2);
+  ButtonLook one;
+  one.enabled = desk.actions.enabled(Action::ApplySuggestion);
+  one.width = ui.px(72);
+  one.tooltip = one.enabled ? desk.actions.label(Action::ApplySuggestion) + ", and solve again  (Enter)"
+                            : "Choose a suggestion first: a click, or S";
+  if (ui.button("apply", "Apply", one)) desk.actions.request(Action::ApplySuggestion);
+  if (one.enabled && ImGui::IsItemHovered()) {
+    if (const Suggestion* at_hand = desk.state.suggestion_at_hand())
+      desk.state.pointed_edit = at_hand->candidate.edit;
+  }
+  ImGui::SameLine(0, ui.px(6));
+  const auto count = static_cast<std::int64_t>(list.together.size());
+  ButtonLook all;
+  all.enabled = desk.actions.enabled(Action::ApplyAllSuggestions);
+  all.width = -1;
+  all.primary = all.enabled;
+  all.tooltip =
+      format_count(count, "edit", "edits") +
+      " as one step: the best of those that lie so far apart that each still gains what it was rated "
+      "at. Then solved again; more may follow.  (Ctrl Enter)";
+  if (ui.button("apply all", "Apply all that gain  (" + format_count(count) + ")", all))
+    desk.actions.request(Action::ApplyAllSuggestions);
+  if (all.enabled && ImGui::IsItemHovered()) desk.state.pointed_all = true;
+}
+
+}  // namespace
+
+void explain_suggestion(Ui& ui, const AppState& state, const Suggestion& suggestion) {
+  const Palette& p = ui.colours();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(7)));
+  ImGui::BeginTooltip();
+  ui.text(state.edit_name(suggestion.candidate.edit), p.accent);
+  ImGui::SameLine();
+  ui.text("gains about " + gain_text(suggestion.gain()));
+  if (const std::string panels = panels_at(state, suggestion.candidate); !panels.empty())
+    ui.small_text("At " + panels);
+  draw_gain_parts(ui, suggestion);
+  if (!suggestion.met)
+    ui.small_text("Solved alone, this place did not meet all demands: a guess.", p.warning);
+  ui.small_text("Click: go there   Double click, Enter: apply", p.ink_faint);
+  ImGui::EndTooltip();
+  ImGui::PopStyleVar();
+}
+
+void draw_gain_parts(Ui& ui, const Suggestion& suggestion) {
+  const Palette& p = ui.colours();
+  ImFont* small = ui.theme().small();
+  const float row = small->FontSize + ui.px(4);
+  const float change_right = ui.px(214), width = ui.px(268);
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  ui.gap(2);
+  for (const GainPart& part : gain_parts(suggestion)) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float bottom = at.y + row;
+    draw_text_aligned(draw, small, at, ImVec2(at.x + width, bottom), 0.0f, p.ink_soft, part.what);
+    draw_text_aligned(draw, small, at, ImVec2(at.x + change_right, bottom), 1.0f, p.ink_faint, part.change);
+    draw_text_aligned(draw, small, at, ImVec2(at.x + width, bottom), 1.0f, part.gain < 0 ? p.warning : p.ink,
+                      (part.gain > 0 ? "+" : "") + gain_text(part.gain));
+    ImGui::Dummy(ImVec2(width, row - ImGui::GetStyle().ItemSpacing.y));
+  }
+  ui.gap(2);
+  ui.small_text("In mean panel edges squared; about, until it is solved.", p.ink_faint);
+}
+
+std::string suggestions_summary(const Desk& desk) {
+  const auto advice = desk.state.advice();
+  if (!advice) return "";
+  const auto count = static_cast<std::int64_t>(advice->ranked.size());
+  return count > 0 ? format_count(count) : "";
+}
+
+void draw_suggestions(Desk& desk) {
+  Ui& ui = desk.ui;
+  AppState& state = desk.state;
+  const std::string why = why_no_suggestions(state);
+  if (!why.empty()) {
+    ui.wrapped(why, ui.colours().ink_soft);
+    return;
+  }
+  const bool fits = state.advice_fits();
+  const SuggestionList& list = state.suggestion_list();
+  draw_kinds(desk, list);
+  if (list.size() > 0) {
+    draw_rows(desk, list, fits);
+  } else if (!list.from->ranked.empty()) {
+    ui.small_text("All kinds are left out.");
+  }
+  if (state.rating()) {
+    ui.gap(1);
+    draw_progress(ui, *list.from);
+  } else if (!fits) {
+    ui.small_text("Of the result before; rated anew when the solve has ended.");
+  }
+  if (list.size() > 0) draw_buttons(desk, list);
+  if (const auto wanted = std::exchange(desk.window.suggestion_wanted, std::nullopt)) {
+    if (const auto row = list.row_of(*wanted)) state.show_suggestion(*row);
+  }
+}
+
+}  // namespace planewright::ui
