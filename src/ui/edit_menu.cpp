@@ -36,7 +36,7 @@ void draw_edit_choices(Desk& desk, const EditTarget& target) {
 }
 
 void open_context_menu(Desk& desk, const EditTarget& target) {
-  if (!target.edge && !target.face) return;
+  if (!target.edge && !target.face && !target.vertex) return;
   desk.window.context_target = target;
   ImGui::OpenPopup(kContextMenu);
 }

@@ -24,6 +24,7 @@ inline constexpr float kEdgeReach = 7;    // pixels at scale 1 within which an e
 inline constexpr float kCornerReach = 7;  // likewise a corner, but not more than this part of a panel's edge:
 inline constexpr float kCornerPart = 0.2f;
 inline constexpr float kPinReach = 9;
+inline constexpr float kVertexReach = 14;  // of a menu, which lists what is near beside each other
 inline constexpr float kFlaggedReach = 9;  // of an edge that a finding flags, which goes before others
 // Ends of an edge belong to the panels that meet there; only the middle of it flips.
 inline constexpr float kEdgeEnds = 0.2f;
@@ -190,6 +191,7 @@ struct Viewport::Impl {
   void draw_suggestions(Ui& ui, AppState& state);
   void explain_gain(Ui& ui, const AppState& state, int edge, bool may_flip) const;
 
+  std::optional<int> edge_of_corner(const AppState& state, std::optional<int> corner) const;
   std::optional<int> finding_under(const AppState& state, ImVec2 at, float reach) const;
   void fly();
   EditTarget target_under(ImVec2 at, float scale_factor) const;
