@@ -16,7 +16,7 @@
 namespace planewright::ui {
 namespace {
 
-constexpr float kRows = 7.5f;       // that are in sight; half a row says that there are more
+constexpr float kRows = 5.5f;       // that are in sight; half a row says that there are more
 constexpr float kNumberWidth = 46;  // pixels at scale 1
 constexpr float kBarWidth = 34;
 
@@ -24,35 +24,35 @@ float text_width(ImFont* font, const std::string& text) {
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
 }
 
-// A bar, and how far the rating is, while it goes on.
-void draw_progress(Ui& ui, const Advice& advice) {
-  if (!advice.listed) {
-    ui.small_text("Looking for edits…");
-    return;
-  }
-  ui.small_text("Rating edits… " + format_count(advice.tried) + " of " + format_count(advice.candidates));
+// How far the rating is, at the lower edge of the list.
+void draw_progress(const Ui& ui, const Advice& advice, ImVec2 min, ImVec2 max) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const ImVec2 min = ImGui::GetCursorScreenPos();
-  const float width = ImGui::GetContentRegionAvail().x, height = ui.px(3);
   const float part = static_cast<float>(advice.tried) / static_cast<float>(std::max(advice.candidates, 1));
-  draw.AddRectFilled(min, ImVec2(min.x + width, min.y + height), ui.colours().hovered, height);
-  draw.AddRectFilled(min, ImVec2(min.x + part * width, min.y + height), ui.colours().accent, height);
-  ImGui::Dummy(ImVec2(width, height));
+  const float inset = ui.px(4), height = ui.px(3);
+  const ImVec2 from(min.x + inset, max.y - height - ui.px(1));
+  draw.AddRectFilled(from, ImVec2(from.x + part * (max.x - min.x - 2 * inset), from.y + height),
+                     ui.colours().accent, height);
+}
+
+// Those that there can be, so that nothing moves when the first of a kind comes.
+bool is_offered(const AppState& state, EditKind kind) {
+  const bool dual = state.document().empty() || state.document().settings().mode == ComplexKind::Dual;
+  return kind == EditKind::Flip || kind == EditKind::Join ||
+         (!dual && (kind == EditKind::Collapse || kind == EditKind::MoveVertex));
 }
 
 void draw_kinds(Desk& desk, const SuggestionList& list) {
   Ui& ui = desk.ui;
-  if (std::count_if(list.count.begin(), list.count.end(), [](int n) { return n > 0; }) < 2) return;
   const float right = ImGui::GetCursorScreenPos().x + ImGui::GetContentRegionAvail().x;
   HiddenEdits hidden = list.hidden;
   bool first = true;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(4), ui.px(4)));
   for (std::size_t k = 0; k < list.count.size(); ++k) {
-    if (list.count[k] == 0) continue;
+    if (list.count[k] == 0 && !is_offered(desk.state, static_cast<EditKind>(k))) continue;
     const std::string word = kind_word(static_cast<EditKind>(k));
     const bool on = !hidden[k];
-    if (ui.chip("edits " + word, word + "  " + format_count(list.count[k]), on, ui.colours().accent, right,
-                first)) {
+    const ImU32 dot = list.count[k] > 0 ? ui.colours().accent : ui.colours().ink_faint;
+    if (ui.chip("edits " + word, word + "  " + format_count(list.count[k]), on, dot, right, first)) {
       if (ImGui::GetIO().KeyCtrl) {
         hidden.set();
         hidden.reset(k);
@@ -126,15 +126,24 @@ void draw_row(Desk& desk, const SuggestionList& list, int row, std::optional<int
                     gain_text(gain));
 }
 
-void draw_rows(Desk& desk, const SuggestionList& list, bool fits) {
+// Always of the same height: what stands below must not move while suggestions come and go.
+void draw_rows(Desk& desk, const SuggestionList& list, const std::string& why) {
   Ui& ui = desk.ui;
+  const bool fits = desk.state.advice_fits();
   const auto current = desk.state.current_suggestion();
   const float height = ImGui::GetTextLineHeight() + ui.px(7);
-  const float rows = std::min(static_cast<float>(list.size()), kRows);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_vec4(ui.colours().raised));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(6), ui.px(4)));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(6), 0));
-  ImGui::BeginChild("suggestions", ImVec2(0, height * rows + ui.px(10)), true);
+  ImGui::BeginChild("suggestions", ImVec2(0, height * kRows + ui.px(10)), true);
+  if (list.size() == 0) {
+    ui.gap(4);
+    ui.wrapped(!why.empty()                              ? why
+               : list.from && !list.from->ranked.empty() ? "All kinds are left out."
+               : list.from && list.from->listed          ? "Rating edits near findings…"
+                                                         : "Looking for edits…",
+               ui.colours().ink_soft, true);
+  }
   // The current one comes into sight when it becomes that.
   if (current != desk.window.listed_suggestion) {
     desk.window.listed_suggestion = current;
@@ -150,6 +159,7 @@ void draw_rows(Desk& desk, const SuggestionList& list, bool fits) {
       draw_row(desk, list, row, current, fits, height);
   }
   ImGui::EndChild();
+  if (desk.state.rating()) draw_progress(ui, *list.from, ImGui::GetItemRectMin(), ImGui::GetItemRectMax());
   ImGui::PopStyleVar(2);
   ImGui::PopStyleColor();
 }
@@ -177,7 +187,9 @@ void draw_buttons(Desk& desk, const SuggestionList& list) {
       format_count(count, "edit", "edits") +
       " as one step: the best of those that lie so far apart that each still gains what it was rated "
       "at. Then solved again; more may follow.  (Ctrl Enter)";
-  if (ui.button("apply all", "Apply all that gain  (" + format_count(count) + ")", all))
+  if (ui.button("apply all",
+                count > 0 ? "Apply all that gain  (" + format_count(count) + ")" : "Apply all that gain",
+                all))
     desk.actions.request(Action::ApplyAllSuggestions);
   if (all.enabled && ImGui::IsItemHovered()) desk.state.pointed_all = true;
 }
@@ -214,7 +226,7 @@ void draw_gain_parts(Ui& ui, const Suggestion& suggestion) {
     draw_text_aligned(draw, small, at, ImVec2(at.x + width, bottom), 0.0f, p.ink_soft, part.what);
     draw_text_aligned(draw, small, at, ImVec2(at.x + change_right, bottom), 1.0f, p.ink_faint, part.change);
     draw_text_aligned(draw, small, at, ImVec2(at.x + width, bottom), 1.0f, part.gain < 0 ? p.warning : p.ink,
-                      (part.gain > 0 ? "+" : "") + gain_text(part.gain));
+                      part.gain > 0 ? std::string("+").append(gain_text(part.gain)) : gain_text(part.gain));
     ImGui::Dummy(ImVec2(width, row - ImGui::GetStyle().ItemSpacing.y));
   }
   ui.gap(2);
@@ -224,33 +236,18 @@ void draw_gain_parts(Ui& ui, const Suggestion& suggestion) {
 std::string suggestions_summary(const Desk& desk) {
   const auto advice = desk.state.advice();
   if (!advice) return "";
-  const auto count = static_cast<std::int64_t>(advice->ranked.size());
-  return count > 0 ? format_count(count) : "";
+  if (desk.state.rating() && advice->listed)
+    return "rated " + format_count(advice->tried) + " of " + format_count(advice->candidates);
+  if (!desk.state.advice_fits()) return "of the result before";
+  return advice->ranked.empty() ? "" : format_count(static_cast<std::int64_t>(advice->ranked.size()));
 }
 
 void draw_suggestions(Desk& desk) {
-  Ui& ui = desk.ui;
   AppState& state = desk.state;
-  const std::string why = why_no_suggestions(state);
-  if (!why.empty()) {
-    ui.wrapped(why, ui.colours().ink_soft);
-    return;
-  }
-  const bool fits = state.advice_fits();
+  draw_kinds(desk, state.suggestion_list());
   const SuggestionList& list = state.suggestion_list();
-  draw_kinds(desk, list);
-  if (list.size() > 0) {
-    draw_rows(desk, list, fits);
-  } else if (!list.from->ranked.empty()) {
-    ui.small_text("All kinds are left out.");
-  }
-  if (state.rating()) {
-    ui.gap(1);
-    draw_progress(ui, *list.from);
-  } else if (!fits) {
-    ui.small_text("Of the result before; rated anew when the solve has ended.");
-  }
-  if (list.size() > 0) draw_buttons(desk, list);
+  draw_rows(desk, list, why_no_suggestions(state));
+  draw_buttons(desk, list);
   if (const auto wanted = std::exchange(desk.window.suggestion_wanted, std::nullopt)) {
     if (const auto row = list.row_of(*wanted)) state.show_suggestion(*row);
   }

@@ -139,7 +139,7 @@ TEST_F(WindowTest, LeavesKindsOfEditsOut) {
     click "Findings/edits join"
     wait_frames 2
     expect suggestions_listed == 0
-    expect "ui:Findings/apply all" == absent
+    expect "ui:Findings/apply all" == disabled
     key S
     wait_frames 2
     expect suggestion == -1
