@@ -66,6 +66,7 @@ void draw_findings_panel(Desk& desk, const Rect& place) {
     const auto count = findings ? findings->diagnosis.findings.size() : 0;
     const std::string summary = count > 0 ? format_count(static_cast<std::int64_t>(count)) : "";
     if (ui.section("findings", "Findings", true, summary)) draw_finding_list(desk);
+    if (ui.section("limits", "Limits of findings", false, limits_summary(desk))) draw_limits(desk);
     if (ui.section("selection", "Selection")) draw_selection(desk);
     const Demands& demands = desk.state.document().settings().demands;
     const auto pins = static_cast<std::int64_t>(demands.pins.size() + demands.plane_pins.size());

@@ -63,6 +63,9 @@ void draw_gain_parts(Ui& ui, const Suggestion& suggestion);
 // The list of findings, for the right panel; and the colour that stands for a severity.
 void draw_finding_list(Desk& desk);
 ImU32 severity_colour(const Ui& ui, double severity);
+// From which measure on a place is a finding, likewise.
+void draw_limits(Desk& desk);
+std::string limits_summary(const Desk& desk);
 // The two halves of the right panel that other parts do not need to know.
 void draw_energy_table(Desk& desk);
 void draw_report(Desk& desk);

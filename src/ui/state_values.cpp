@@ -69,8 +69,8 @@ std::optional<std::string> energy_value(const AppState& state, const std::string
 
 // findings, findings.KIND: how many there are, "none" until that is known; findings_listed: of the kinds that
 // are not hidden; finding: the row that the designer is at, -1 for none; finding.ROW.measure, .kind,
-// .element; flagged: edges; flagged.I: the edge; flagged.flippable: the first that can be flipped,
-// flagged.stuck: that cannot.
+// .element; limit.KIND: from which measure on; flagged: edges; flagged.I: the edge; flagged.flippable: the
+// first that can be flipped, flagged.stuck: that cannot.
 std::optional<std::string> finding_value(const AppState& state, const std::string& key) {
   const FindingList& list = state.finding_list();
   if (key == "findings") return list.from ? std::to_string(list.from->diagnosis.findings.size()) : "none";
@@ -78,6 +78,10 @@ std::optional<std::string> finding_value(const AppState& state, const std::strin
   if (key == "finding") return text_of(state.current_finding().value_or(-1));
   if (key == "solved") return list.from ? (list.from->diagnosis.solved ? "1" : "0") : "none";
   if (key == "flagged") return std::to_string(list.flagged.size());
+  if (key.starts_with("limit.")) {
+    const auto kind = find_finding_kind(key.substr(6));
+    return kind ? std::optional(text_of(state.finding_settings()[*kind].threshold)) : std::nullopt;
+  }
   if (key.starts_with("findings.")) {
     const auto kind = find_finding_kind(key.substr(9));
     if (!kind) return std::nullopt;

@@ -66,6 +66,42 @@ TEST_F(WindowTest, HidesKindsOfFindings) {
   EXPECT_EQ(run.status, 0) << run.output;
 }
 
+TEST_F(WindowTest, SetsAndRemembersLimitsOfFindings) {
+  const Playback run = play(R"(
+    sample bad-saddle
+    wait_loaded 20
+    wait_solved 100
+    remember findings.close-points few
+    click Findings/limits
+    wait_frames 3
+    drag_by "Findings/limit close-points" 60 0
+    wait_frames 2
+    expect limit.close-points > 0.3
+    wait_solved 100
+    expect findings.close-points > $few
+    expect can_undo == 0
+    screenshot PICTURES/limits.png
+    drag_by "Findings/limit self-crossing" 20 0
+    wait_frames 2
+    expect limit.self-crossing == 0.1
+    click "Findings/limit self-crossing reset"
+    wait_frames 2
+    expect limit.self-crossing == 0
+  )");
+  ASSERT_EQ(run.status, 0) << run.output;
+  const Playback again = play(R"(
+    wait_loaded 20
+    wait_solved 100
+    expect limit.close-points > 0.3
+    click Findings/limits
+    wait_frames 3
+    double_click "Findings/limit close-points"
+    wait_frames 2
+    expect limit.close-points == 0.15
+  )");
+  EXPECT_EQ(again.status, 0) << again.output;
+}
+
 TEST_F(WindowTest, FlipsAFlaggedEdgeByAClick) {
   const Playback run = play(R"(
     sample bad-saddle
