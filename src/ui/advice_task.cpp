@@ -23,6 +23,18 @@ struct Wish {
   std::optional<Candidate> candidate;
 };
 
+// Two findings can call for the same edit. Those at one edge stand beside each other.
+std::vector<Candidate> each_once(std::vector<Candidate> candidates) {
+  std::vector<Candidate> once;
+  for (Candidate& candidate : candidates) {
+    bool known = false;
+    for (auto other = once.rbegin(); other != once.rend() && other->mesh_edge == candidate.mesh_edge; ++other)
+      known = known || other->edit == candidate.edit;
+    if (!known) once.push_back(std::move(candidate));
+  }
+  return once;
+}
+
 // A job under way, on the worker alone.
 struct Work {
   AdviceJob job;
@@ -105,7 +117,7 @@ void AdviceTask::Impl::rate_next(Work& work) {
   }
   std::vector<Suggestion> rated;
   if (!work.candidates) {
-    work.candidates = find_candidates(solver->advised(), work.job.findings->diagnosis.findings);
+    work.candidates = each_once(find_candidates(solver->advised(), work.job.findings->diagnosis.findings));
   } else {
     AdviceOptions options;
     options.radius = kAdviceRadius;

@@ -178,8 +178,11 @@ class AppState {
   const Suggestion* suggestion_at_hand() const;
   // Each a step of undo; solved again at once.
   bool apply_suggestion(const Suggestion& suggestion);
-  bool apply_all_suggestions();                       // that lie apart: SuggestionList::together
-  std::string edit_name(const MeshEdit& edit) const;  // "Flip edge 1042": by numbers that outlive edits
+  bool apply_all_suggestions();  // that lie apart: SuggestionList::together
+  // The number, which outlives edits, of what an edit names; and the edit with it, as steps are called:
+  // "Flip edge 1042".
+  int element_number(const MeshEdit& edit) const;
+  std::string edit_name(const MeshEdit& edit) const;
   // What an edit of the present mesh would look like; null, and asked for, while that is not known. Only
   // while advice_fits().
   std::shared_ptr<const EditPreview> preview(const MeshEdit& edit);

@@ -167,15 +167,18 @@ const Suggestion* AppState::suggestion_at_hand() const {
 
 // --- Applying --------------------------------------------------------------------------------
 
-std::string AppState::edit_name(const MeshEdit& edit) const {
+int AppState::element_number(const MeshEdit& edit) const {
   static const ElementIds none;
   const ElementIds& ids = document_.ids() ? *document_.ids() : none;
-  const auto& numbers = edit.kind == EditKind::MoveVertex                                       ? ids.vertices
-                        : edit.kind == EditKind::SplitFace || edit.kind == EditKind::DeleteFace ? ids.faces
-                                                                                                : ids.edges;
+  const bool of_face = edit.kind == EditKind::SplitFace || edit.kind == EditKind::DeleteFace;
+  const auto& numbers = edit.kind == EditKind::MoveVertex ? ids.vertices : of_face ? ids.faces : ids.edges;
+  const bool known = edit.element >= 0 && edit.element < static_cast<int>(numbers.size());
+  return known ? numbers[static_cast<std::size_t>(edit.element)] : edit.element;
+}
+
+std::string AppState::edit_name(const MeshEdit& edit) const {
   MeshEdit named = edit;
-  if (edit.element >= 0 && edit.element < static_cast<int>(numbers.size()))
-    named.element = numbers[static_cast<std::size_t>(edit.element)];
+  named.element = element_number(edit);
   return describe(named);
 }
 

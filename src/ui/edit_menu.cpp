@@ -48,6 +48,7 @@ void draw_context_menu(Desk& desk) {
   if (ImGui::BeginPopup(kContextMenu)) {
     const Ui::Scope scope(ui, "Context");
     draw_edit_choices(desk, desk.window.context_target);
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);

@@ -33,6 +33,16 @@ std::string why_no_suggestions(const AppState& state) {
                                    : "Edits are rated once findings are known.";
 }
 
+std::string edit_label(const AppState& state, const MeshEdit& edit) {
+  const bool of_vertex = edit.kind == EditKind::MoveVertex;
+  const bool of_face = edit.kind == EditKind::SplitFace || edit.kind == EditKind::DeleteFace;
+  const char* what = of_vertex                     ? " vertex "
+                     : of_face                     ? " face "
+                     : edit.kind == EditKind::Join ? " at edge "
+                                                   : " edge ";
+  return capitalised(kind_word(edit.kind)) + what + format_count(state.element_number(edit));
+}
+
 std::string panels_at(const AppState& state, const Candidate& candidate) {
   const auto& mesh = state.document().mesh();
   if (!mesh || candidate.mesh_edge < 0 || candidate.mesh_edge >= mesh->edge_count()) return {};
@@ -43,11 +53,11 @@ std::string panels_at(const AppState& state, const Candidate& candidate) {
   for (const int origin : dual ? std::array{edge.a, edge.b} : std::array{edge.left, edge.right}) {
     const int number = origin < 0 ? -1 : state.document().panel_number(state.active_layer(), origin);
     if (number < 0) continue;
-    if (!names.empty()) names.append(", ");
-    names.append(std::to_string(number));
+    if (!names.empty()) names.append(" and ");
+    names.append(format_count(number));
   }
   if (names.empty()) return {};
-  return std::string(names.find(',') == std::string::npos ? "panel " : "panels ").append(names);
+  return std::string(names.find(' ') == std::string::npos ? "panel " : "panels ").append(names);
 }
 
 std::string gain_text(double gain) {

@@ -13,7 +13,10 @@ namespace planewright::ui {
 // Why nothing is listed, a sentence or two; empty: there is a list, or it is being made.
 std::string why_no_suggestions(const AppState& state);
 
-// The panels at an edit of the present mesh: "panels 12, 47"; empty where they have no name.
+// Short, by numbers that outlive edits: "Flip edge 1,042", "Join at edge 12", "Move vertex 3".
+std::string edit_label(const AppState& state, const MeshEdit& edit);
+
+// The panels at an edit of the present mesh: "panels 12 and 47"; empty where they have no name.
 std::string panels_at(const AppState& state, const Candidate& candidate);
 
 // "0.83": in mean panel edges squared.

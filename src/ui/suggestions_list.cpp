@@ -24,21 +24,21 @@ float text_width(ImFont* font, const std::string& text) {
   return font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str()).x;
 }
 
-// How far the rating is, at the lower edge of the list.
+// How far the rating is, between the list and the buttons, where there is room for it at any time.
 void draw_progress(const Ui& ui, const Advice& advice, ImVec2 min, ImVec2 max) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float part = static_cast<float>(advice.tried) / static_cast<float>(std::max(advice.candidates, 1));
-  const float inset = ui.px(4), height = ui.px(3);
-  const ImVec2 from(min.x + inset, max.y - height - ui.px(1));
-  draw.AddRectFilled(from, ImVec2(from.x + part * (max.x - min.x - 2 * inset), from.y + height),
-                     ui.colours().accent, height);
+  const float top = max.y + ui.px(2), bottom = top + ui.px(3);
+  draw.AddRectFilled(ImVec2(min.x, top), ImVec2(max.x, bottom), ui.colours().hovered, bottom - top);
+  draw.AddRectFilled(ImVec2(min.x, top), ImVec2(min.x + part * (max.x - min.x), bottom), ui.colours().accent,
+                     bottom - top);
 }
 
-// Those that there can be, so that nothing moves when the first of a kind comes.
+// Those that the mode mostly has, so that nothing moves when the first of a kind comes.
 bool is_offered(const AppState& state, EditKind kind) {
-  const bool dual = state.document().empty() || state.document().settings().mode == ComplexKind::Dual;
-  return kind == EditKind::Flip || kind == EditKind::Join ||
-         (!dual && (kind == EditKind::Collapse || kind == EditKind::MoveVertex));
+  if (state.document().empty() || state.document().settings().mode == ComplexKind::Dual)
+    return kind == EditKind::Flip || kind == EditKind::Join;
+  return kind == EditKind::Collapse || kind == EditKind::MoveVertex;
 }
 
 void draw_kinds(Desk& desk, const SuggestionList& list) {
@@ -106,7 +106,7 @@ void draw_row(Desk& desk, const SuggestionList& list, int row, std::optional<int
   const double gain = suggestion.gain();
   ImFont *font = ui.theme().regular(), *small = ui.theme().small();
   const float number_left = max.x - ui.px(kNumberWidth), bar_left = number_left - ui.px(kBarWidth);
-  const std::string name = state.edit_name(edit);
+  const std::string name = edit_label(state, edit);
   const float name_right = min.x + ui.px(6) + text_width(font, name);
   draw_text_aligned(draw, font, ImVec2(min.x + ui.px(6), min.y), max, 0.0f, with_alpha(p.ink, alpha),
                     elided(font, name, bar_left - min.x - ui.px(12)));
@@ -183,10 +183,12 @@ void draw_buttons(Desk& desk, const SuggestionList& list) {
   all.enabled = desk.actions.enabled(Action::ApplyAllSuggestions);
   all.width = -1;
   all.primary = all.enabled;
-  all.tooltip =
-      format_count(count, "edit", "edits") +
-      " as one step: the best of those that lie so far apart that each still gains what it was rated "
-      "at. Then solved again; more may follow.  (Ctrl Enter)";
+  double gain = 0.0;
+  for (const int i : list.together) gain += list.from->ranked[static_cast<std::size_t>(i)].gain();
+  all.tooltip = count == 0 ? "Nothing to apply"
+                           : format_count(count, "edit", "edits") + " as one step, about " + gain_text(gain) +
+                                 " together: the best of those that lie so far apart that none spoils what "
+                                 "another gains. More may follow once that is solved.  (Ctrl Enter)";
   if (ui.button("apply all",
                 count > 0 ? "Apply all that gain  (" + format_count(count) + ")" : "Apply all that gain",
                 all))
@@ -200,7 +202,7 @@ void explain_suggestion(Ui& ui, const AppState& state, const Suggestion& suggest
   const Palette& p = ui.colours();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(7)));
   ImGui::BeginTooltip();
-  ui.text(state.edit_name(suggestion.candidate.edit), p.accent);
+  ui.text(edit_label(state, suggestion.candidate.edit), p.accent);
   ImGui::SameLine();
   ui.text("gains about " + gain_text(suggestion.gain()));
   if (const std::string panels = panels_at(state, suggestion.candidate); !panels.empty())

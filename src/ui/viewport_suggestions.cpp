@@ -100,7 +100,7 @@ void Viewport::Impl::ring_edit(Ui& ui, const AppState& state, const MeshEdit& ed
   const auto edges = static_cast<float>(state.mean_edge() / camera.pixel_size_at(middle_of)) / pixel_ratio;
   const float radius = std::max(1.1f * edges, ui.px(11));
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw.AddCircle(at, radius, with_alpha(ui.colours().panel, 0.7f * alpha), 40, ui.px(5));
+  draw.AddCircle(at, radius, with_alpha(ui.colours().panel, 0.5f * alpha), 40, ui.px(4));
   draw.AddCircle(at, radius, with_alpha(ui.colours().accent, alpha), 40, ui.px(2));
 }
 

@@ -1,6 +1,7 @@
 // Suggestions in the window's state: rated in the background, best first, and applied as steps of undo.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <thread>
 
 #include "ui/app_state.h"
@@ -71,6 +72,17 @@ TEST(AppStateSuggestions, ComeBestFirstWhileTheRestIsRated) {
     EXPECT_EQ(ranked[k].candidate.edit, state.advice()->ranked[k].candidate.edit);
     EXPECT_EQ(ranked[k].gain(), state.advice()->ranked[k].gain());
   }
+}
+
+TEST(AppStateSuggestions, NameEachEditOnce) {
+  AppState state;
+  state.open_sample("turning-strip");
+  ASSERT_TRUE(all_rated(state));
+  const auto edits = edits_of(*state.advice());
+  ASSERT_FALSE(edits.empty());
+  for (std::size_t i = 0; i < edits.size(); ++i)
+    EXPECT_EQ(std::count(edits.begin(), edits.end(), edits[i]), 1) << describe(edits[i]);
+  EXPECT_EQ(edits.front().kind, EditKind::Collapse) << "of a quad that has become a triangle";
 }
 
 TEST(AppStateSuggestions, SayWhyThereAreNone) {
