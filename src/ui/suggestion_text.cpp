@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 #include "ui/format.h"
 
@@ -68,25 +69,19 @@ std::string gain_text(double gain) {
 
 std::vector<GainPart> gain_parts(const Suggestion& suggestion) {
   std::vector<GainPart> parts;
-  const ScoreWeights weights;
   const Score &before = suggestion.before, &after = suggestion.after;
-  const auto add = [&](const char* what, double from, double to, double weight) {
-    const double gain = weight * (from - to);
-    if (std::abs(gain) < kNothing) return;
-    parts.push_back({what, format_number(from) + " → " + format_number(to), gain});
+  const GainParts gain = suggestion.parts();
+  const auto add = [&](const char* what, double part, std::string change) {
+    if (std::abs(part) >= kNothing) parts.push_back({what, std::move(change), part});
   };
-  add("Energy", before.energy, after.energy, weights.energy);
-  add("Crossing panels", before.crossing, after.crossing, weights.crossing);
-  add("Short edges", before.short_edges, after.short_edges, weights.short_edges);
-  add("Reversed edges", before.reversed, after.reversed, weights.reversed);
-  add("Corners far off", before.far_points, after.far_points, weights.far_points);
-  if (suggestion.candidate.deviation >= kNothing)
-    parts.push_back({"Change of the design", "", -suggestion.candidate.deviation});
-  double known = 0.0;
-  for (const GainPart& part : parts) known += part.gain;
-  const double rest = suggestion.gain() - known;
-  const bool join = suggestion.candidate.edit.kind == EditKind::Join;
-  if (std::abs(rest) > kNothing) parts.push_back({join ? "One corner less" : "Other", "", rest});
+  const auto from_to = [](double from, double to) { return format_number(from) + " → " + format_number(to); };
+  add("Energy", gain.energy, from_to(before.energy, after.energy));
+  add("Crossing panels", gain.crossing, from_to(before.crossing, after.crossing));
+  add("Short edges", gain.short_edges, from_to(before.short_edges, after.short_edges));
+  add("Reversed edges", gain.reversed, from_to(before.reversed, after.reversed));
+  add("Corners far off", gain.far_points, from_to(before.far_points, after.far_points));
+  add("The surface moves", gain.deviation, format_with_unit(suggestion.candidate.deviation, "edges"));
+  add("Design given up", gain.given_up, "");
   return parts;
 }
 

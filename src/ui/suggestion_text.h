@@ -22,7 +22,7 @@ std::string panels_at(const AppState& state, const Candidate& candidate);
 // "0.83": in mean panel edges squared.
 std::string gain_text(double gain);
 
-// What the gain is made of, those that are not 0; they add up to it.
+// What the gain is made of, but for parts that are next to nothing.
 struct GainPart {
   std::string what;    // "Short edges"
   std::string change;  // "1.2 → 0.1": as it is counted, without the weight
