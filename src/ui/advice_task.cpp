@@ -15,7 +15,7 @@ namespace {
 using namespace std::chrono_literals;
 
 // A frame for every edit that is rated would cost more than the rating.
-constexpr auto kBetweenWakes = 80ms;
+constexpr auto kBetweenWakes = 150ms;
 constexpr int kNiceness = 10;
 
 struct Wish {

@@ -106,7 +106,7 @@ void Viewport::Impl::ring_edit(Ui& ui, const AppState& state, const MeshEdit& ed
 
 void Viewport::Impl::draw_suggestions(Ui& ui, AppState& state) {
   previewed.reset();
-  if (!mesh || mesh != state.mesh_view() || moving) return;
+  if (!mesh || mesh != state.mesh_view()) return;
   ImGui::GetWindowDrawList()->PushClipRect(place.min, place.max, true);
   if (state.pointed_all) {
     const SuggestionList& list = state.suggestion_list();
