@@ -40,7 +40,7 @@ TEST(Adopt, TakesOverSeveralTrialsAtOnce) {
   std::vector<Trial> trials;
   EditedMesh edited{mesh, identity_map(mesh)};
   int joins = 0;
-  for (const int k : choose_apart(mesh, possible, 2)) {
+  for (const int k : choose_apart(mesh, possible)) {
     const Candidate& candidate = possible[static_cast<size_t>(k)].candidate;
     joins += candidate.edit.kind == EditKind::Join;
     trials.push_back(solver.attempt(solver.prepare(candidate.centre, 2).value(), candidate.edit).value());

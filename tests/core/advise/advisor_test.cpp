@@ -4,6 +4,7 @@
 
 #include "core/diagnose/diagnosis.h"
 #include "core/mesh/sample_shapes.h"
+#include "core/problem/demands/demand_catalogue.h"
 #include "support/advised.h"
 
 namespace planewright {
@@ -11,6 +12,24 @@ namespace {
 
 using test::BadDome;
 using test::solved;
+
+TEST(Advisor, RatesUnderEveryKindOfDemand) {
+  const PolygonMesh mesh = make_sample("dome", 100).value();
+  for (const DemandInfo& info : demand_catalogue()) {
+    if (!info.for_dual || info.name == "coplanar-beams") continue;
+    LayerSettings settings;
+    settings.demands.list.push_back({info.name, true, {}, {}});
+    const Advised advised = solved(mesh, settings);
+    const auto solver = PatchSolver::create(advised);
+    ASSERT_TRUE(solver.has_value()) << info.name;
+    for (int e = 0; e < mesh.edge_count(); e += 7)
+      for (const Candidate& candidate : candidates_at(advised, e, true)) {
+        const auto ground = solver->prepare(candidate.centre, 2);
+        ASSERT_TRUE(ground.has_value()) << info.name << ", edge " << e << ": " << ground.error().text();
+        EXPECT_TRUE(solver->attempt(*ground, candidate.edit).has_value()) << info.name << ", edge " << e;
+      }
+  }
+}
 
 TEST(Advisor, GainsWhereEdgesWereFlippedTheWrongWay) {
   const PolygonMesh mesh = make_sample("bad-saddle").value();
