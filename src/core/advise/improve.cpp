@@ -20,6 +20,8 @@ namespace {
 
 // A fall of B that counts; below it rounding decides.
 constexpr double kLeastFall = 1e-3;
+// What cannot be built is worth an edit that hardly gains.
+constexpr double kLeastGainOfLastResort = 0.01;
 
 // An edit by what it is done to, whatever the indices are by now.
 using EditKey = std::tuple<EditKind, int, int>;
@@ -145,6 +147,7 @@ class Improver {
     if (!solver) return tl::unexpected(solver.error());
     AdviceOptions advice = options_.advice;
     advice.weights = weights(last_resort);
+    if (last_resort) advice.least_gain = std::min(advice.least_gain, kLeastGainOfLastResort);
     if (observer_) advice.progress = [&](int rated, int of) { observer_->on_rated(number, rated, of); };
     const std::vector<Candidate> all = candidates(last_resort);
     std::vector<Suggestion> suggestions = rate(*solver, all, advice, {}, stop_);
