@@ -2,7 +2,7 @@
 //
 //     gain = B(as it is) - B(edited) - deviation - 1/2 given_up
 //
-// B: score.h, of the same region (patch_solver.h). Four rings predict the gain of a full re-solve with a rank
+// B: score.h, of the same region (patch_solver.h). Five rings predict the gain of a full re-solve with a rank
 // correlation of 0.8 to 0.9, two with 0.7 (measured: planewright-bench advice); it is "about" until then.
 // Threads: pure; call it from a thread of its own. Deterministic: equal input, equal list.
 #pragma once
@@ -36,7 +36,7 @@ struct Suggestion {
 void rank(std::vector<Suggestion>& suggestions, const ScoreWeights& weights = {});
 
 struct AdviceOptions {
-  int radius = 4;
+  int radius = 5;
   ScoreWeights weights = {};
   double least_gain = 0.1;                               // suggestions below are left out
   std::function<void(int rated, int of)> progress = {};  // candidates; may be empty
