@@ -208,6 +208,45 @@ TEST(Improve, SplitsAsALastResort) {
   EXPECT_EQ(std::count(from.begin(), from.end(), -1), 1);
 }
 
+TEST(Improve, KeepsNoEditThatMakesItWorse) {
+  // Advice turned upside down: the worst edits are suggested first, and the score alone can refuse them.
+  const Advised design = solved(make_sample("bad-saddle", 300).value());
+  ImproveOptions options;
+  options.advice.weights = {-1.0, -2.0, -0.5, -0.5, -1.0, -0.5};
+  options.advice.least_gain = -1e9;
+  for (const FindingKind kind : all_finding_kinds())
+    if (is_unbuildable(kind)) options.findings[kind].on = false;
+  options.max_edits = 12;
+  const ImproveReport report = improved(design, options);
+  EXPECT_GT(report.rounds.at(0).rated, 0);
+  double gained = 0.0;
+  for (const ImproveReport::Round& round : report.rounds) {
+    EXPECT_TRUE(round.edits == 0 ? round.gained == 0.0 : round.gained > 1e-3) << round.gained;
+    gained += round.gained;
+  }
+  EXPECT_NEAR(gained, total(report.before.score) - total(report.after.score), 1e-9);
+}
+
+TEST(Improve, AddsNoPlaceThatCannotBeBuiltForABetterScore) {
+  // With edges of 0.2 already too short, what betters this roof makes some of them.
+  const Advised design = solved(make_sample("saddle-roof", 500).value());
+  ImproveOptions options;
+  options.advice.least_gain = -1e9;
+  options.max_edits = 3;
+  options.findings[FindingKind::ClosePoints].threshold = 0.2;
+  const ImproveReport report = improved(design, options);
+  EXPECT_GT(report.rounds.at(0).rated, 0);
+  EXPECT_EQ(report.before.unbuildable(), 0);
+  EXPECT_EQ(report.after.unbuildable(), 0);
+  // Where nobody looks for them, the score gets better at their cost.
+  const FindingSettings looking = options.findings;
+  options.findings[FindingKind::ClosePoints].on = false;
+  const ImproveReport careless = improved(design, options);
+  EXPECT_LT(total(careless.after.score), total(report.after.score));
+  const Advised& worse = careless.design;
+  EXPECT_GT(diagnose(*worse.complex, worse.state, looking).count(FindingKind::ClosePoints), 0);
+}
+
 TEST(Improve, EditsNothingOfACleanDesign) {
   for (const auto& [name, settings] :
        std::map<std::string, LayerSettings>{{"saddle", {}}, {"straight-strip", planarizing()}}) {
