@@ -4,6 +4,9 @@
 //
 // E: the layer's energy, every weight included; #crossing: panels that cross themselves or have no positive
 // area; s: signed length of a panel edge (diagnose/reversed_edges.h); x, f: a point and where it was wanted.
+// Ill-determined points are no part of it: where a design is flat, whether planes end exactly parallel is
+// decided anew by every re-solve, and no local solve foretells it (measured: a part 1/4 sum (1 - 100 / t)+ of
+// their moves t per degree takes the rank correlation from 0.84, 0.83, 0.93 to 0.60, 0.23, 0.83).
 // All but the crossings is continuous, so that nearly bad counts nearly as much. Weights are taste: the parts
 // are kept, so that others rank anew without a solve.
 //
