@@ -249,8 +249,12 @@ std::vector<Candidate> find_candidates(const Advised& advised, const std::vector
   for (const int e : flagged) add(finder, MeshEdit::join(e), found);
   for (const int face : quads) finder.quad(face, found);
   std::stable_sort(found.begin(), found.end(), [](const Candidate& a, const Candidate& b) {
-    return std::tuple(a.urgency, a.mesh_edge, a.edit.kind) < std::tuple(b.urgency, b.mesh_edge, b.edit.kind);
+    return std::tuple(a.urgency, a.mesh_edge, a.edit.kind, a.edit.element) <
+           std::tuple(b.urgency, b.mesh_edge, b.edit.kind, b.edit.element);
   });
+  // Two quads may share their shortest edge, or a corner.
+  const auto same = [](const Candidate& a, const Candidate& b) { return a.edit == b.edit; };
+  found.erase(std::unique(found.begin(), found.end(), same), found.end());
   return found;
 }
 
