@@ -92,6 +92,7 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       std::set<std::string> all = r["core/export"];
       all.insert("core/export");
       all.insert("core/advise");
+      all.insert("core/cluster");
       return all;
     }();
     // The renderer draws polygons; it knows nothing of solving.

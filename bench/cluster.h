@@ -1,0 +1,10 @@
+// planewright-bench cluster: what clustering a mesh into regions costs, anew and while K is dragged.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace planewright::bench {
+
+void declare_cluster(CLI::App& app);
+
+}  // namespace planewright::bench
