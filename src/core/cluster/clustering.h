@@ -33,7 +33,7 @@ struct ClusterOptions {
   // Stop at the least number of regions found that meets these (all that are given), each a root mean square
   // over the area: |n_T - n|, about radians; |(x - c) . n| as a share of the square root of the area.
   std::optional<double> target_normal, target_distance;
-  ClusterMetric metric{1.0, 0.0, 0.05};
+  ClusterMetric metric;
   SeedKind seeds = SeedKind::Farthest;
   std::uint32_t seed_number = 1;  // Random
   std::vector<int> given;         // Given: `panels` distinct faces

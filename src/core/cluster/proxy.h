@@ -24,7 +24,7 @@ namespace planewright {
 struct ClusterMetric {
   double normal = 1.0;
   double distance = 0.0;
-  double compactness = 0.0;
+  double compactness = 0.5;
 
   static ClusterMetric l21() { return {1.0, 0.0, 0.0}; }
   static ClusterMetric l2() { return {0.0, 1.0, 0.0}; }

@@ -274,6 +274,28 @@ TEST(Regions, RefuseWhatIsNotTheirs) {
   EXPECT_FALSE(make_regions(graph, clustering));
 }
 
+TEST(Regions, NastyMeshesAreTakenOrRefused) {
+  PLANEWRIGHT_SHARED_MESHES_OR_SKIP(folder);
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "nasty")) {
+    const auto loaded = load_mesh(entry.path());
+    if (!loaded) continue;
+    const auto graph = FaceGraph::create(loaded->mesh);
+    if (!graph) continue;
+    for (const int more : {0, 3, 40}) {
+      SCOPED_TRACE(entry.path().filename().string() + " in " + std::to_string(more));
+      ClusterOptions options;
+      options.panels = std::min(graph->component_count() + more, graph->face_count());
+      const auto clustering = cluster(*graph, options);
+      ASSERT_TRUE(clustering) << clustering.error().text();
+      const auto regions = make_regions(*graph, *clustering);
+      if (regions)
+        expect_panels(*graph, *regions);
+      else
+        EXPECT_FALSE(regions.error().where.empty() || regions.error().remedy.empty());
+    }
+  }
+}
+
 TEST(Regions, TakeRealMeshes) {
   PLANEWRIGHT_SHARED_MESHES_OR_SKIP(folder);
   for (const char* file :
