@@ -80,8 +80,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     // Diagnosis measures complexes and states, whatever made them, and the beams between two.
     r["core/diagnose"] = {"core/base",    "core/mesh",  "core/complex",
                           "core/problem", "core/solve", "core/layers"};
-    r["core/design"] = {"core/base",  "core/mesh",     "core/complex", "core/problem",
-                        "core/solve", "core/diagnose", "core/layers"};
+    r["core/design"] = {"core/base",    "core/mesh",  "core/cluster",  "core/complex",
+                        "core/problem", "core/solve", "core/diagnose", "core/layers"};
     r["core/edit"] = r["core/design"];
     r["core/edit"].insert("core/design");
     r["core/advise"] = r["core/edit"];
@@ -92,7 +92,6 @@ const std::map<std::string, std::set<std::string>>& allowed() {
       std::set<std::string> all = r["core/export"];
       all.insert("core/export");
       all.insert("core/advise");
-      all.insert("core/cluster");
       return all;
     }();
     // The renderer draws polygons; it knows nothing of solving.
