@@ -27,6 +27,7 @@ TEST(Presets, NameOnlyWhatThereIs) {
       ASSERT_TRUE(info) << preset.name << " demands " << demand.name;
       EXPECT_TRUE(!preset.for_dual || (*info)->for_dual) << preset.name;
       EXPECT_TRUE(!preset.for_planarize || (*info)->for_planarize) << preset.name;
+      EXPECT_TRUE(!preset.for_cluster || (*info)->for_cluster) << preset.name;
       EXPECT_TRUE(demand.on) << preset.name;
     }
   }
