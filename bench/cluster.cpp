@@ -6,10 +6,19 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "core/cluster/anchor_polygons.h"
 #include "core/cluster/regions.h"
+#include "core/cluster/surface_distance.h"
+#include "core/complex/cluster.h"
+#include "core/design/presets.h"
+#include "core/diagnose/panel_shape.h"
+#include "core/diagnose/planarity.h"
+#include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
+#include "core/solve/solver_choice.h"
 #include "measurement.h"
 #include "models.h"
 #include "table.h"
@@ -21,8 +30,13 @@ namespace {
 constexpr double kGoalSeconds = 5.0;   // 100,000 triangles into 1,000 regions
 constexpr double kGoalLiveMs = 100.0;  // 10,000 triangles, one region more or fewer
 
+// Of solved panels: relative to the diagonal; to the mesh, panel edges; of the RMS distance, times that of
+// the anchor polygons.
+constexpr double kPlanar = 1e-9, kFar = 2.0, kRatio = 1.1;
+
 struct ClusterBenchOptions {
   std::string meshes;
+  std::vector<std::string> solvers{"tangent"};
   int repeat = 5;
 };
 
@@ -82,6 +96,66 @@ void measure_mesh(const std::string& name, const PolygonMesh& mesh, const std::v
   std::printf("\n");
 }
 
+void solve_panels(const PolygonMesh& mesh, int panels, SolverKind kind) {
+  const FaceGraph graph = value_of(FaceGraph::create(mesh));
+  ClusterOptions options;
+  options.panels = panels;
+  const Regions regions = value_of(make_regions(graph, value_of(cluster(graph, options))));
+  const auto complex = std::make_shared<const TangentComplex>(value_of(build_cluster(mesh, regions)));
+  const auto problem = value_of(Problem::create(complex, {Freedom::NormalsAndOffsets, {{"position", 1.0}}}));
+  const double begun = cpu_seconds();
+  const SolveReport report = make_solver(kind)->solve(*problem, initial_state(*complex), {}, nullptr, {});
+  const double cpu = cpu_seconds() - begun;
+  const Panels solved = panels_of(*complex, report.state);
+  const double diagonal = bounding_diagonal(mesh.positions());
+  const double planarity = measure_planarity(solved.points, solved.polygons).max / diagonal;
+  const auto surface = value_of(ReferenceSurface::create(mesh.positions(), mesh.faces(), "the mesh"));
+  double far = 0.0;
+  for (Eigen::Index j = 0; j < solved.points.rows(); ++j)
+    far = std::max(far, std::abs(surface->closest(solved.points.row(j), Vector3d::Zero()).distance));
+  far /= complex->mean_edge;
+  const auto distance =
+      value_of(surface_distance(solved.points, solved.polygons, mesh.positions(), mesh.faces()));
+  const auto classic = value_of(surface_distance(anchor_points(mesh, regions), regions.corners_of_region,
+                                                 mesh.positions(), mesh.faces()));
+  const double ratio = distance.rms() / classic.rms();
+  const bool met = planarity <= kPlanar && far <= kFar && ratio <= kRatio;
+  std::printf("  %4d %4d %-8s %8.2f  %-22s %9.1e %6.2f %8.5f %6.3f %7zu %4d  %s\n", panels, regions.count(),
+              name(kind), cpu, name(report.status), planarity, far, distance.rms() / diagonal, ratio,
+              find_self_crossing(solved.points, solved.polygons).size(),
+              regions.corners_by_valence().rbegin()->first, met ? "met" : "MISSED");
+  std::fflush(stdout);
+}
+
+void solve_mesh(const std::string& name, const PolygonMesh& mesh, const ClusterBenchOptions& options) {
+  std::printf("%s: %d faces\n", name.c_str(), mesh.face_count());
+  for (const int panels : {50, 200, 500})
+    for (const std::string& solver : options.solvers)
+      if (panels < mesh.face_count()) solve_panels(mesh, panels, value_of(find_solver(solver)));
+}
+
+void measure_panels(const ClusterBenchOptions& options, const std::filesystem::path& meshes) {
+  std::printf(
+      "Panels solved with the preset 'proxy-planes'. planar: worst, of the diagonal (<= %g); far: "
+      "farthest\n"
+      "corner from the mesh, mean panel edges (<= %g); rms: distance of panels and mesh, of the diagonal, "
+      "and\n"
+      "over that of the anchor polygons of the same regions, which are not planar (<= %g); crossed: panels "
+      "that\n"
+      "cross themselves; valence: the highest of a corner.\n\n  %4s %4s %-8s %8s  %-22s %9s %6s %8s %6s "
+      "%7s\n",
+      kPlanar, kFar, kRatio, "K", "of", "solver", "CPU s", "", "planar", "far", "rms", "ratio", "crossed");
+  for (const char* file : {"tri/bunny1k.obj", "tri/fertility.off", "tri/feline.obj"}) {
+    std::error_code error;
+    if (meshes.empty() || !std::filesystem::is_regular_file(meshes / file, error))
+      print_skipped(file, "it is not there; name its folder with --meshes");
+    else
+      solve_mesh(file, value_of(load_mesh((meshes / file).string())).mesh, options);
+  }
+  for (const char* sample : {"alpine-hut", "train-station"})
+    solve_mesh(sample, value_of(make_sample(sample)), options);
+}
+
 void measure_cluster(const ClusterBenchOptions& options) {
   const std::filesystem::path meshes = meshes_folder(options.meshes);
   std::printf(
@@ -100,6 +174,7 @@ void measure_cluster(const ClusterBenchOptions& options) {
     else
       measure_mesh(file, value_of(load_mesh((meshes / file).string())).mesh, {50, 200, 500}, options.repeat);
   }
+  measure_panels(options, meshes);
 }
 
 }  // namespace
@@ -113,6 +188,9 @@ void declare_cluster(CLI::App& app) {
       "Folder of the real meshes (default: $PLANEWRIGHT_MESHES, else shared/meshes near the source)");
   command->add_option("--repeat", options->repeat, "Measure each so often; the least CPU time counts")
       ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  command->add_option("--solver", options->solvers, "Solvers of the panels: tangent, ipopt, auto")
+      ->delimiter(',')
       ->capture_default_str();
   command->callback([options] { measure_cluster(*options); });
 }

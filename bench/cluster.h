@@ -1,4 +1,5 @@
-// planewright-bench cluster: what clustering a mesh into regions costs, anew and while K is dragged.
+// planewright-bench cluster: what clustering a mesh into regions costs, anew and while K is dragged, and how
+// well the panels follow the mesh that are solved from them.
 #pragma once
 
 #include <CLI/CLI.hpp>
