@@ -102,7 +102,8 @@ void solve_panels(const PolygonMesh& mesh, int panels, SolverKind kind) {
   options.panels = panels;
   const Regions regions = value_of(make_regions(graph, value_of(cluster(graph, options))));
   const auto complex = std::make_shared<const TangentComplex>(value_of(build_cluster(mesh, regions)));
-  const auto problem = value_of(Problem::create(complex, {Freedom::NormalsAndOffsets, {{"position", 1.0}}}));
+  const auto problem = value_of(
+      Problem::create(complex, {Freedom::NormalsAndOffsets, value_of(find_preset("proxy-planes"))->weights}));
   const double begun = cpu_seconds();
   const SolveReport report = make_solver(kind)->solve(*problem, initial_state(*complex), {}, nullptr, {});
   const double cpu = cpu_seconds() - begun;
