@@ -32,7 +32,7 @@ constexpr int kRings = 7;  // within which a full re-solve is compared: farther 
 struct AdviceOptions {
   std::string meshes;
   std::vector<std::string> models{"train-station", "aqua-center", "bunny1k"};
-  int suggestions = 150, radius = 2;
+  int suggestions = 150, radius = planewright::AdviceOptions().radius;
   unsigned seed = 1;
   double offset = 0.0;  // mean panel edges
   bool demands = false;
@@ -44,11 +44,11 @@ Advised solved(const PolygonMesh& mesh, const AdviceOptions& options) {
   settings.offset = options.offset * value_of(build_complex(mesh, settings))->mean_edge;
   if (options.demands) settings.demands.list = {{"vertex"}, {"face"}, {"edge"}};
   const auto complex = value_of(build_complex(mesh, settings));
-  const State state =
+  const SolveReport report =
       value_of(solve_layer(*make_solver(SolverKind::Tangent), {complex, settings, {}, {}, {}},
-                           start_state(*complex, settings), solve_options(settings), nullptr, {}))
-          .state;
-  return {std::make_shared<PolygonMesh>(mesh), complex, state, settings};
+                           start_state(*complex, settings), solve_options(settings), nullptr, {}));
+  return {std::make_shared<PolygonMesh>(mesh),    complex, report.state, settings, {}, {},
+          report.status == SolveStatus::Converged};
 }
 
 // Ranks, ties shared.
@@ -79,15 +79,16 @@ double spearman(const std::vector<double>& a, const std::vector<double>& b) {
   return aa > 0.0 && bb > 0.0 ? ab / std::sqrt(aa * bb) : 0.0;
 }
 
-// Drop of the squared distance to the regular valences (6, at the border 4) by a flip.
-double valence_rule(const PolygonMesh& mesh, int e) {
-  const MeshEdge edge = mesh.edge(e);
+// Drop of the squared distance to the regular valences (6, at the border 4) by a flip or a join.
+double valence_rule(const PolygonMesh& mesh, const Candidate& candidate) {
+  const MeshEdge edge = mesh.edge(candidate.mesh_edge);
   const auto excess = [&](int v, int change) {
     const int wanted = mesh.is_border_vertex(v) ? 4 : 6;
     return std::pow(static_cast<double>(mesh.edges_around(v).size()) + change - wanted, 2);
   };
   double drop = 0.0;
   for (const int v : {edge.a, edge.b}) drop += excess(v, 0) - excess(v, -1);
+  if (candidate.edit.kind != EditKind::Flip) return drop;
   for (const int face : {edge.left, edge.right})
     for (const int v : mesh.corners(face))
       if (v != edge.a && v != edge.b) drop += excess(v, 0) - excess(v, 1);
@@ -158,43 +159,26 @@ double solved_again(const PatchSolver& patches, const Trial& trial, const Polygo
   SolveOptions options = solve_options(advised.settings);
   options.near_solution = true;
   const SolveReport report =
-      solver.solve(*problem, adopt(advised, trial, *complex, map), options, nullptr, {});
+      solver.solve(*problem, adopt(advised, {trial}, *complex, map), options, nullptr, {});
   return badness(*complex, report.state, round);
 }
 
-// The gain of an edit after full re-solves with and without it, both from what the local solves found: a
-// re-solve alone wanders to other minima, by 0.2 to 0.8 in B.
-double real_gain(const PatchSolver& patches, const Candidate& candidate, const Trial& without,
-                 const Trial& with, Solver& solver) {
+// The gain of an edit after a full re-solve from what the local solve found.
+double real_gain(const PatchSolver& patches, const Candidate& candidate, const Trial& with, Solver& solver) {
   const PolygonMesh& mesh = *patches.advised().mesh;
   const std::set<int> round = within_rings(mesh, candidate.centre, kRings);  // a flip keeps vertices
   const EditedMesh edited = value_of(apply(mesh, candidate.edit));
-  return solved_again(patches, without, mesh, identity_map(mesh), round, solver) -
-         solved_again(patches, with, edited.mesh, edited.map, round, solver);
+  const double before = badness(*patches.advised().complex, patches.advised().state, round);
+  return before - solved_again(patches, with, edited.mesh, edited.map, round, solver);
 }
 
 void measure(const std::string& name, const PolygonMesh& mesh, const AdviceOptions& options) {
   const Advised advised = solved(mesh, options);
   const PatchSolver patches = value_of(PatchSolver::create(advised));
-  // Flagged edges first, then others drawn by lot.
-  const Diagnosis diagnosis = diagnose(*advised.complex, advised.state);
-  std::vector<Candidate> drawn;
-  std::set<int> seen;
+  std::vector<Candidate> drawn = find_candidates(advised, diagnose(*advised.complex, advised.state).findings);
   std::mt19937 lot(options.seed);
-  std::vector<Candidate> flagged;
-  for (Candidate& candidate : find_candidates(advised, diagnosis.findings))
-    if (candidate.edit.kind == EditKind::Flip) flagged.push_back(std::move(candidate));
-  std::shuffle(flagged.begin(), flagged.end(), lot);
-  const auto most = static_cast<size_t>(options.suggestions);
-  for (Candidate& candidate : flagged)
-    if (drawn.size() < most / 2 && seen.insert(candidate.mesh_edge).second)
-      drawn.push_back(std::move(candidate));
-  std::uniform_int_distribution<int> any(0, mesh.edge_count() - 1);
-  for (int tries = 0; drawn.size() < most && tries < 100 * options.suggestions; ++tries) {
-    const int edge = any(lot);
-    if (!seen.insert(edge).second) continue;
-    for (Candidate& candidate : candidates_at(advised, edge, false)) drawn.push_back(std::move(candidate));
-  }
+  std::shuffle(drawn.begin(), drawn.end(), lot);
+  drawn.resize(std::min(drawn.size(), static_cast<size_t>(options.suggestions)));
   std::vector<double> predicted, real, valence, delaunay, shortness;
   double local = 0.0;
   int right = 0, clear = 0, unmet = 0;
@@ -208,10 +192,10 @@ void measure(const std::string& name, const PolygonMesh& mesh, const AdviceOptio
     if (!trial) continue;
     unmet += !trial->met;
     const double gain = total(ground->as_it_is.score) - total(trial->score);
-    const double truth = real_gain(patches, candidate, ground->as_it_is, *trial, *solver);
+    const double truth = real_gain(patches, candidate, *trial, *solver);
     predicted.push_back(gain);
     real.push_back(truth);
-    valence.push_back(valence_rule(mesh, candidate.mesh_edge));
+    valence.push_back(valence_rule(mesh, candidate));
     delaunay.push_back(delaunay_rule(mesh, candidate.mesh_edge));
     shortness.push_back(-candidate.urgency);
     if (std::abs(truth) > 0.1) {
@@ -245,10 +229,9 @@ void measure_cost() {
 
 void run(const AdviceOptions& options) {
   std::printf(
-      "Flips, half of them at findings and half drawn by lot (seed %u): rank correlation (Spearman) of what "
-      "is\n"
-      "predicted with the gain after a full re-solve within %d rings; the same of plain rules; right: "
-      "predictions\n"
+      "Candidates drawn by lot (seed %u): rank correlation (Spearman) of what is predicted with the gain "
+      "after a\n"
+      "full re-solve within %d rings; the same of plain rules; right: predictions\n"
       "with the right sign where the gain is clear (> 0.1); unmet: local solves that missed a row; ms: CPU "
       "of a\n"
       "local solve with and without the edit, radius %d. Goal: >= %.1f.\n\n"

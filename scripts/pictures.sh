@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-names=(window-start window-streaming window-dark window-findings
+names=(window-start window-streaming window-dark window-findings window-suggestions
   station-panels twisted-roof-panels torus-panels
   figure-2 figure-5 figure-7 figure-8
   preset-close-to-design preset-even-panels preset-smooth-shell preset-faceted-shell preset-close preset-uncrossed
@@ -147,6 +147,18 @@ wait_solved 120
 click "Findings/finding 0"
 wait_frames 12
 expect finding == 0
+screenshot PICTURE
+SCRIPT
+      ;;
+
+    window-suggestions)
+      window window-suggestions assets/train-station.obj << 'SCRIPT'
+click Hint/close
+wait_loaded 20
+wait_solved 120
+wait_rated 300
+click "Findings/suggestion 0"
+wait_frames 40
 screenshot PICTURE
 SCRIPT
       ;;

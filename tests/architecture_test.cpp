@@ -86,12 +86,12 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     r["core/edit"].insert("core/design");
     r["core/advise"] = r["core/edit"];
     r["core/advise"].insert("core/edit");
-    r["core/export"] = r["core/edit"];
-    r["core/export"].insert("core/edit");
+    // Reports tell suggestions, too.
+    r["core/export"] = r["core/advise"];
+    r["core/export"].insert("core/advise");
     const std::set<std::string> core = [&] {
       std::set<std::string> all = r["core/export"];
       all.insert("core/export");
-      all.insert("core/advise");
       return all;
     }();
     // The renderer draws polygons; it knows nothing of solving.

@@ -1,5 +1,5 @@
 // planewright-cli diagnose IN [--mode dual|planarize] [--as-is]: solves as dual and planarize would and tells
-// where the panels are bad, and why. Writes no panels.
+// where the panels are bad, why, and which edits of the mesh would better them. Writes no panels.
 #include <algorithm>
 #include <cstdio>
 #include <memory>
@@ -9,12 +9,16 @@
 
 #include "cli/commands.h"
 #include "cli/design_files.h"
+#include "cli/edit_progress.h"
+#include "cli/finding_options.h"
 #include "cli/findings_table.h"
 #include "cli/layer_jobs.h"
 #include "cli/layer_run.h"
 #include "cli/named_choice.h"
 #include "cli/output_files.h"
 #include "cli/solve_options.h"
+#include "cli/suggestions_table.h"
+#include "core/advise/advisor.h"
 #include "core/base/atomic_file.h"
 #include "core/design/design.h"
 #include "core/export/diagnosis_record.h"
@@ -29,25 +33,15 @@ constexpr double kPlanarAsIs = 1e-4;
 
 struct DiagnoseOptions {
   std::shared_ptr<SolveCommandOptions> solve = std::make_shared<SolveCommandOptions>();
-  std::optional<ComplexKind> mode;  // none: whichever fits the mesh
-  std::vector<std::string> only;    // kinds, by name; empty: all
-  bool as_is = false, json = false;
+  std::optional<ComplexKind> mode;      // none: whichever fits the mesh
+  std::vector<std::string> only;        // kinds, by name; empty: all
+  std::vector<std::string> thresholds;  // KIND=VALUE
+  bool as_is = false, json = false, no_suggestions = false;
 };
 
 Result<FindingSettings> settings_of(const DiagnoseOptions& options) {
-  FindingSettings settings;
-  if (!options.only.empty())
-    for (const FindingKind kind : all_finding_kinds()) settings[kind].on = false;
-  for (const std::string& name : options.only) {
-    const auto kind = find_finding_kind(name);
-    if (!kind) {
-      Error error = kind.error();
-      error.where = "--only";
-      return tl::unexpected(std::move(error));
-    }
-    settings[*kind].on = true;
-  }
-  if (options.as_is) settings.planar = kPlanarAsIs;
+  auto settings = parse_finding_settings(options.only, options.thresholds);
+  if (settings && options.as_is) settings->planar = kPlanarAsIs;
   return settings;
 }
 
@@ -63,12 +57,31 @@ Result<std::vector<DiagnosisRecord>> diagnose_as_is(const PolygonMesh& mesh,
   return std::vector{std::move(record)};
 }
 
+// Rates the edits that may help; what keeps it from that is told, and no failure.
+void suggest(DiagnosisRecord& record, const LayerJob& job, const DesignFiles& files,
+             const std::shared_ptr<const PolygonMesh>& mesh, bool quiet) {
+  if (!record.solve || !record.diagnosis.solved || record.solve->status == SolveStatus::Stopped) return;
+  const Advised advised{
+      mesh, job.complex, record.solve->state, job.layer.settings, files.selections, files.reference};
+  const auto solver = PatchSolver::create(advised);
+  if (!solver) {
+    record.unrated = solver.error().text();
+    return;
+  }
+  EditProgress progress(quiet);
+  AdviceOptions options;
+  options.progress = [&](int rated, int of) { progress.on_rated(0, rated, of); };
+  record.suggestions =
+      rate(*solver, find_candidates(advised, record.diagnosis.findings), options, {}, progress.stop_token());
+}
+
 Result<std::vector<DiagnosisRecord>> diagnose_solved(LayerPlan& plan, const SolveCommandOptions& options,
-                                                     ComplexKind mode, const PolygonMesh& mesh,
-                                                     const FindingSettings& settings) {
-  const auto files = read_design_files(options, mesh);
+                                                     ComplexKind mode,
+                                                     const std::shared_ptr<const PolygonMesh>& mesh,
+                                                     const FindingSettings& settings, bool no_suggestions) {
+  const auto files = read_design_files(options, *mesh);
   if (!files) return tl::unexpected(files.error());
-  if (auto prepared = prepare_layers(plan, options, mode, *files, mesh); !prepared)
+  if (auto prepared = prepare_layers(plan, options, mode, *files, *mesh); !prepared)
     return tl::unexpected(prepared.error());
   std::vector<SolvedLayer> solved;
   std::vector<DiagnosisRecord> records;
@@ -83,6 +96,7 @@ Result<std::vector<DiagnosisRecord>> diagnose_solved(LayerPlan& plan, const Solv
     record.diagnosis = diagnose(*job.complex, report->state, settings, neighbour_of(job, solved).get());
     solved.push_back({job.complex, report->state, {}});
     record.solve = std::move(*report);
+    if (!no_suggestions) suggest(record, job, *files, mesh, options.quiet);
     records.push_back(std::move(record));
     if (records.back().solve->status == SolveStatus::Stopped) break;
   }
@@ -108,15 +122,21 @@ Result<ExitStatus> run(const DiagnoseOptions& options) {
   if (!checked->health.healthy())
     std::fprintf(stderr, "planewright-cli: note: %s: %s\n", solve.input.c_str(),
                  checked->health.summary().c_str());
-  const auto records =
-      options.as_is ? diagnose_as_is(checked->mesh, *settings)
-                    : diagnose_solved(*plan, solve, options.mode.value_or(suggested_mode(checked->mesh)),
-                                      checked->mesh, *settings);
+  const auto mesh = std::make_shared<const PolygonMesh>(checked->mesh);
+  const auto records = options.as_is
+                           ? diagnose_as_is(*mesh, *settings)
+                           : diagnose_solved(*plan, solve, options.mode.value_or(suggested_mode(*mesh)), mesh,
+                                             *settings, options.no_suggestions);
   if (!records) return tl::unexpected(records.error());
-  const std::string json = to_json(solve.input, *records, checked->health);
+  const std::string json = to_json(solve.input, *mesh, *records, checked->health);
   ExitStatus status = kSuccess;
   for (const DiagnosisRecord& record : *records) {
-    if (!options.json && !solve.quiet) print_findings(record, solve.input);
+    if (!options.json && !solve.quiet) {
+      print_findings(record, solve.input);
+      if (record.suggestions) print_suggestions(*record.suggestions, *mesh);
+    }
+    if (!record.unrated.empty())
+      std::fprintf(stderr, "planewright-cli: note: no edits were rated: %s\n", record.unrated.c_str());
     status = std::max(status, judge(record));
   }
   if (options.json) std::fputs(json.c_str(), stdout);
@@ -145,6 +165,9 @@ void add_diagnose_command(CLI::App& app, ExitStatus& status) {
       ->add_option("--only", options->only,
                    "Kinds of findings to look for, with commas between (default: all)")
       ->delimiter(',');
+  declare_thresholds(*command, options->thresholds);
+  command->add_flag("--no-suggestions", options->no_suggestions,
+                    "Only the findings; rating edits of the mesh takes as long as several solves");
   command->add_flag("--json", options->json, "Print the report instead of a table");
   command->callback([options, &status] {
     const auto result = run(*options);

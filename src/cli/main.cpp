@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   cli::add_panels_command(app, status);
   cli::add_check_command(app, status);
   cli::add_diagnose_command(app, status);
+  cli::add_improve_command(app, status);
   cli::add_render_command(app, status);
   try {
     app.parse(argc, argv);

@@ -36,7 +36,7 @@ Progress::~Progress() {
 }
 
 void Progress::on_iteration(const Iteration& iteration, const State*) {
-  if (interrupted) stop_.request_stop();
+  poll();
   if (quiet_) return;
   worst_ = std::max({worst_, iteration.first_order, iteration.infeasibility});
   const double pause = terminal_ ? kSecondsBetweenUpdates : kSecondsBetweenLines;
@@ -55,6 +55,10 @@ void Progress::on_iteration(const Iteration& iteration, const State*) {
                iteration.restoration ? "  (restoring feasibility)" : "", terminal_ ? "\033[K" : "\n");
   std::fflush(stderr);
   line_open_ = terminal_;
+}
+
+void Progress::poll() {
+  if (interrupted) stop_.request_stop();
 }
 
 void Progress::finish() {

@@ -18,6 +18,7 @@ class Progress final : public SolveObserver {
   bool wants_states() const override { return false; }
   std::stop_token stop_token() const { return stop_.get_token(); }
   void finish();  // ends the line
+  void poll();    // asks for a stop if Ctrl-C was pressed
 
  private:
   std::stop_source stop_;

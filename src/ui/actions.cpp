@@ -47,6 +47,22 @@ const std::vector<ActionInfo>& action_list() {
       {Action::DarkTheme, "dark theme", "Dark theme", "D", {key(GLFW_KEY_D)}},
       {Action::NextFinding, "next finding", "Next finding", "N", {key(GLFW_KEY_N)}},
       {Action::PreviousFinding, "previous finding", "Previous finding", "Shift N", {shifted(GLFW_KEY_N)}},
+      {Action::NextSuggestion, "next suggestion", "Next suggestion", "S", {key(GLFW_KEY_S)}},
+      {Action::PreviousSuggestion,
+       "previous suggestion",
+       "Previous suggestion",
+       "Shift S",
+       {shifted(GLFW_KEY_S)}},
+      {Action::ApplySuggestion,
+       "apply suggestion",
+       "Apply the suggestion",
+       "Enter",
+       {key(GLFW_KEY_ENTER), key(GLFW_KEY_KP_ENTER)}},
+      {Action::ApplyAllSuggestions,
+       "apply all suggestions",
+       "Apply all that gain",
+       "Ctrl Enter",
+       {ctrl(GLFW_KEY_ENTER), ctrl(GLFW_KEY_KP_ENTER)}},
       {Action::ClearSelection, "clear selection", "Clear the selection", "Esc", {key(GLFW_KEY_ESCAPE)}},
       {Action::SelectBox, "select box", "Select by a box", "B", {key(GLFW_KEY_B)}},
       {Action::SelectAll, "select all", "Select all", "Ctrl A", {ctrl(GLFW_KEY_A)}},
@@ -105,6 +121,13 @@ bool Actions::enabled(Action action) const {
     case Action::NextFinding:
     case Action::PreviousFinding:
       return has_findings;
+    case Action::NextSuggestion:
+    case Action::PreviousSuggestion:
+      return state_.suggestion_list().size() > 0;
+    case Action::ApplySuggestion:
+      return state_.suggestion_at_hand() != nullptr;
+    case Action::ApplyAllSuggestions:
+      return !state_.suggestion_list().together.empty();
     case Action::LockRange:
       return state_.view_options.colours == ColourMap::Planarity ||
              state_.view_options.colours == ColourMap::Displacement;
@@ -191,6 +214,14 @@ std::string Actions::label(Action action) const {
       return with_step("Redo", state_.document().redo_name());
     case Action::SolveOrStop:
       return state_.solving() ? "Stop" : "Solve";
+    case Action::ApplySuggestion:
+      if (const Suggestion* at_hand = state_.suggestion_at_hand())
+        return state_.edit_name(at_hand->candidate.edit);
+      return info(action).label;
+    case Action::ApplyAllSuggestions: {
+      const auto count = static_cast<std::int64_t>(state_.suggestion_list().together.size());
+      return info(action).label + (count > 0 ? " (" + format_count(count) + ")" : "");
+    }
     default:
       return info(action).label;
   }
@@ -350,6 +381,20 @@ void Actions::run(Action action) {
     case Action::PreviousFinding:
       state_.walk_findings(-1);
       window_.right_tab = 0;
+      break;
+    case Action::NextSuggestion:
+      state_.walk_suggestions(1);
+      window_.right_tab = 0;
+      break;
+    case Action::PreviousSuggestion:
+      state_.walk_suggestions(-1);
+      window_.right_tab = 0;
+      break;
+    case Action::ApplySuggestion:
+      state_.apply_suggestion(*state_.suggestion_at_hand());
+      break;
+    case Action::ApplyAllSuggestions:
+      state_.apply_all_suggestions();
       break;
     case Action::ClearSelection:
       if (window_.show_keys || window_.show_about) {

@@ -59,7 +59,8 @@ const char* name(ColourMap map) {
   return "";
 }
 
-AppState::AppState(std::function<void()> wake) : wake_(std::move(wake)), preparer_(wake_), session_(wake_) {}
+AppState::AppState(std::function<void()> wake)
+    : wake_(std::move(wake)), preparer_(wake_), session_(wake_), advice_task_(wake_) {}
 AppState::~AppState() = default;
 
 // --- Files -----------------------------------------------------------------------------------
@@ -105,6 +106,8 @@ void AppState::adopt(Loaded loaded) {
 
   runs_.clear();
   match_runs();
+  end_advice();
+  known_advice_.clear();
   ghost_.reset();
   clear_selection();
   walked_.reset();
@@ -181,6 +184,7 @@ void AppState::end_merge() {
 
 void AppState::document_changed() {
   solve_is_step_ = false;
+  end_advice();
   follow_elements();
   if (!mesh_view_ || mesh_view_->mesh != document_.mesh()) refresh_mesh_view();
   match_runs();
@@ -266,6 +270,7 @@ void AppState::start_solve(int layer, Clock::time_point now, SolverKind solver) 
   solving_run_ = of.id;
   outcome_due_ = true;
   last_start_ = now;
+  end_advice();
   if (layer == active_layer()) {
     solve_wanted_ = false;
     start_afresh_ = false;
@@ -316,6 +321,7 @@ bool AppState::update(Clock::time_point now) {
       changed = true;
     }
   }
+  changed |= update_advice();
   const auto old = std::remove_if(messages_.begin(), messages_.end(), [&](const Message& m) {
     return m.kind <= Message::Kind::Refused && now - m.posted > 8s;
   });

@@ -25,11 +25,13 @@
 #include "core/design/solve_session.h"
 #include "core/edit/document.h"
 #include "core/edit/select.h"
+#include "ui/advice_task.h"
 #include "ui/background_task.h"
 #include "ui/finding_list.h"
 #include "ui/frame_timings.h"
 #include "ui/look_at.h"
 #include "ui/mesh_view.h"
+#include "ui/suggestion_list.h"
 #include "ui/view_preparer.h"
 
 namespace planewright::ui {
@@ -46,6 +48,7 @@ struct ViewOptions {
   bool lock_range = false;  // keep the colour map's range as it is
   ColourMap colours = ColourMap::None;
   HiddenFindings hidden_findings;  // kinds that are neither listed nor marked
+  HiddenEdits hidden_edits;        // kinds of suggestions that are neither listed nor applied together
 
   bool operator==(const ViewOptions&) const = default;
 };
@@ -150,6 +153,41 @@ class AppState {
   void show_finding(int row);
   // The next (1) or previous (-1) of the list.
   void walk_findings(int by);
+  // Which kinds are looked for, and from which measure on; what is shown is looked through anew.
+  const FindingSettings& finding_settings() const { return finding_settings_; }
+  void set_finding_settings(const FindingSettings& settings);
+
+  // --- Suggestions: edits of the mesh that would better the active layer's panels, each rated by solving
+  // its neighbourhood. A worker begins once a solve has come to a result and nothing else is under way, and
+  // ends with every change. What it has found out stays with the result for as long as a moment of the
+  // history has that: undo and redo bring it back, as it takes seconds to find out and little to keep. What
+  // was interrupted is rated anew.
+  // The newest that is of the present mesh; while another solve runs, of the result before. Null: none.
+  std::shared_ptr<const Advice> advice() const;
+  // Whether it is of what is shown, and not of a result before.
+  bool advice_fits() const { return advising_ != nullptr; }
+  bool rating() const { return advising_ != nullptr && advice_ != nullptr && !advice_->done; }
+  // Those of kinds that are not hidden, best first.
+  const SuggestionList& suggestion_list() const;
+  // The row of the list that the designer has gone to; stays with its edit while others come.
+  std::optional<int> current_suggestion() const;
+  // Makes it the current one, and asks the viewport to go there.
+  void show_suggestion(int row);
+  void walk_suggestions(int by);
+  // What Enter applies: the current one, else the best one at the current finding. Null: there is none.
+  const Suggestion* suggestion_at_hand() const;
+  // Each a step of undo; solved again at once.
+  bool apply_suggestion(const Suggestion& suggestion);
+  bool apply_all_suggestions();  // that lie apart: SuggestionList::together
+  // The number, which outlives edits, of what an edit names; and the edit with it, as steps are called:
+  // "Flip edge 1042".
+  int element_number(const MeshEdit& edit) const;
+  std::string edit_name(const MeshEdit& edit) const;
+  // What an edit of the present mesh would look like; null, and asked for, while that is not known. Only
+  // while advice_fits().
+  std::shared_ptr<const EditPreview> preview(const MeshEdit& edit);
+  std::optional<MeshEdit> pointed_edit;  // by the mouse, in the list
+  bool pointed_all = false;              // at what applies all together
 
   // --- Pins of the active layer.
   // Holds what is selected where it is shown: points by all three coordinates, panels in their planes.
@@ -331,6 +369,11 @@ class AppState {
   void follow_finding();  // the current one, in the list of newer findings
   void go_to_row(int row);
   void show_view(LayerRun& of, std::shared_ptr<const PreparedView> next);
+  bool update_advice();
+  bool take_advice();
+  bool may_advise() const;
+  void begin_advice();
+  void end_advice();
   bool view_range_locked() const;
   bool may_start(Clock::time_point now) const;
   static bool has_advanced(const LayerRun& of);
@@ -369,6 +412,17 @@ class AppState {
   std::optional<int> current_finding_;  // index into the findings
   int next_row_ = 0;                    // where walking goes on when the current one is gone
   std::optional<Finding> walked_;       // the current one, or the last that was
+  FindingSettings finding_settings_;
+
+  std::shared_ptr<Advice> advice_;           // the newest
+  std::uint64_t advice_layer_ = 0;           // whose
+  std::shared_ptr<const Iterate> advising_;  // what the task's job is about; null: it has none
+  std::uint64_t next_advice_ = 1;
+  std::vector<std::shared_ptr<Advice>> known_advice_;         // finished, of results that are still there
+  std::vector<std::shared_ptr<const EditPreview>> previews_;  // of the task's job
+  std::optional<MeshEdit> preview_wanted_;                    // the newest that the task was asked for
+  mutable SuggestionList suggestion_list_;  // made anew by suggestion_list() where it is of another state
+  std::optional<MeshEdit> current_suggestion_;
 
   int iterates_before_end_ = 0;
   std::uint64_t last_fingerprint_ = 0;
@@ -389,6 +443,7 @@ class AppState {
   // Last members: their threads end before what they refer to goes.
   ViewPreparer preparer_;
   SolveSession session_;
+  AdviceTask advice_task_;
 };
 
 }  // namespace planewright::ui

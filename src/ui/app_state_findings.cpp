@@ -9,7 +9,17 @@ bool AppState::findings_known(const LayerRun& of) const {
 
 std::shared_ptr<const PreparedFindings> AppState::findings() const {
   const LayerRun& of = run(active_layer());
-  return of.shown && findings_known(of) ? of.findings : nullptr;
+  // With other thresholds they are found anew; until then those before stay, or the list would flicker.
+  return of.shown && of.findings && of.findings->iterate == of.shown->iterate ? of.findings : nullptr;
+}
+
+void AppState::set_finding_settings(const FindingSettings& settings) {
+  if (settings == finding_settings_) return;
+  finding_settings_ = settings;
+  end_advice();
+  for (LayerRun& of : runs_) {
+    if (of.newest) submit(of);
+  }
 }
 
 const FindingList& AppState::finding_list() const {

@@ -137,6 +137,7 @@ void AppState::submit(LayerRun& of) {
   job.number = of.submitted;
   job.thickness = of.thickness;
   job.neighbour = of.beams_to;
+  job.thresholds = finding_settings_;
   preparer_.submit(std::move(job));
 }
 
@@ -200,11 +201,13 @@ bool AppState::take_reference() {
 void AppState::set_active_layer(int layer) {
   if (layer == active_layer() || layer < 0 || layer >= layer_count()) return;
   end_merge();
+  end_advice();
   document_.set_active_layer(layer);
   selected_panel.reset();
   selected_point.reset();
   selected_edge.reset();
   current_finding_.reset();
+  current_suggestion_.reset();
   walked_.reset();
   next_row_ = 0;
   last_fingerprint_ = 0;

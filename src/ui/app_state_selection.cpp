@@ -26,6 +26,7 @@ void AppState::select_panel(int panel, Combine how) {
   selected_point.reset();
   selected_edge.reset();
   current_finding_.reset();
+  current_suggestion_.reset();
   selected_panel = how == Combine::Remove ? std::nullopt : std::optional(panel);
 }
 
@@ -35,6 +36,7 @@ void AppState::select_point(int point, Combine how) {
   selected_panel.reset();
   selected_edge.reset();
   current_finding_.reset();
+  current_suggestion_.reset();
   selected_point = how == Combine::Remove ? std::nullopt : std::optional(point);
 }
 
@@ -45,6 +47,7 @@ void AppState::clear_selection() {
   selected_point.reset();
   selected_edge.reset();
   current_finding_.reset();
+  current_suggestion_.reset();
 }
 
 // What was pointed at, in the next state's complex: the same elements of the mesh, as far as they are left.

@@ -30,6 +30,19 @@ MeshEdit split_face(const Document& document, int face) {
   return best;
 }
 
+MeshEdit even_out(const PolygonMesh& mesh, int vertex) {
+  const bool along_border = mesh.is_border_vertex(vertex);
+  Vector3d middle = Vector3d::Zero();
+  int count = 0;
+  for (const int e : mesh.edges_around(vertex)) {
+    const MeshEdge edge = mesh.edge(e);
+    if (along_border && !edge.border()) continue;
+    middle += mesh.positions().row(edge.a == vertex ? edge.b : edge.a).transpose();
+    ++count;
+  }
+  return MeshEdit::move_vertex(vertex, middle / std::max(count, 1));
+}
+
 // The edge that two faces share; -1: none.
 int edge_between(const PolygonMesh& mesh, int first, int second) {
   for (int e = 0; e < mesh.edge_count(); ++e) {
@@ -66,7 +79,7 @@ std::vector<EditChoice> edit_choices(const Document& document, const EditTarget&
   static const ElementIds none;
   const ElementIds& ids = document.ids() ? *document.ids() : none;
   const EditTarget valid = document.empty() ? EditTarget{} : target;
-  const auto& [edge, face] = valid;
+  const auto& [edge, face, vertex] = valid;
   add("flip", "Flip edge", "an edge", edge, ids.edges, [](int e) { return MeshEdit::flip(e); });
   add("join", "Join the faces at edge", "an edge", edge, ids.edges, [](int e) { return MeshEdit::join(e); });
   add("split edge", "Split edge", "an edge", edge, ids.edges, [](int e) { return MeshEdit::split_edge(e); });
@@ -74,6 +87,8 @@ std::vector<EditChoice> edit_choices(const Document& document, const EditTarget&
   add("split face", "Split face", "a face", face, ids.faces, [&](int f) { return split_face(document, f); });
   add("delete face", "Delete face", "a face", face, ids.faces,
       [](int f) { return MeshEdit::delete_face(f); });
+  add("move vertex", "Even out vertex", "a vertex", vertex, ids.vertices,
+      [&](int v) { return even_out(*document.mesh(), v); });
   return choices;
 }
 
@@ -95,6 +110,7 @@ EditTarget target_of_selection(const AppState& state) {
   } else if (selection.faces.size() == 2) {
     take_edge(edge_between(mesh, selection.faces[0], selection.faces[1]));
   }
+  if (selection.vertices.size() == 1) target.vertex = selection.vertices.front();
   if (selection.faces.size() == 1) {
     target.face = selection.faces.front();
   } else if (view && state.selected_point && view->ids == state.document().ids()) {

@@ -14,7 +14,7 @@ namespace planewright::ui {
 class AppState;
 
 struct EditTarget {
-  std::optional<int> edge, face;
+  std::optional<int> edge, face, vertex;
 };
 
 struct EditChoice {
@@ -24,11 +24,13 @@ struct EditChoice {
   std::string refused;           // why, a sentence
 };
 
-// Every kind of edit but moving, always in the same order.
+// Every kind of edit, always in the same order. A vertex moves to the middle of its neighbours, one on the
+// border to the middle of its neighbours along that: what undoes a dent or a crowded place. Any other place
+// is a matter of the panels: a corner that is pinned can be dragged there.
 std::vector<EditChoice> edit_choices(const Document& document, const EditTarget& target);
 
 // What the selection means: an edge that was pointed at, or the one between two selected elements; a single
-// face, or the face of the corner that was pointed at.
+// face, or the face of the corner that was pointed at; a single vertex.
 EditTarget target_of_selection(const AppState& state);
 
 }  // namespace planewright::ui

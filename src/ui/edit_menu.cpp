@@ -7,6 +7,7 @@
 
 #include "ui/edit_choices.h"
 #include "ui/panels.h"
+#include "ui/suggestion_text.h"
 
 namespace planewright::ui {
 namespace {
@@ -16,17 +17,26 @@ constexpr const char* kContextMenu = "##edits of the mesh";
 }  // namespace
 
 void draw_edit_choices(Desk& desk, const EditTarget& target) {
+  const SuggestionList& rated = desk.state.suggestion_list();
   for (const EditChoice& choice : edit_choices(desk.state.document(), target)) {
     const bool possible = choice.edit.has_value();
-    if (ImGui::MenuItem(choice.label.c_str(), nullptr, false, possible)) desk.state.edit_mesh(*choice.edit);
+    std::string gain;
+    if (const auto row = possible ? rated.row_of(*choice.edit) : std::nullopt)
+      gain = "gains about " + gain_text(rated.at(*row).gain());
+    const bool chosen = ImGui::MenuItem(choice.label.c_str(), gain.c_str(), false, possible);
     desk.ui.record_item(choice.name, possible);
+    if (possible && ImGui::IsItemHovered()) desk.state.pointed_edit = choice.edit;
+    if (chosen) {
+      desk.state.edit_mesh(*choice.edit);
+      return;  // the list of choices is of the mesh before
+    }
     if (!possible && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
       desk.ui.tooltip(choice.refused);
   }
 }
 
 void open_context_menu(Desk& desk, const EditTarget& target) {
-  if (!target.edge && !target.face) return;
+  if (!target.edge && !target.face && !target.vertex) return;
   desk.window.context_target = target;
   ImGui::OpenPopup(kContextMenu);
 }
@@ -38,6 +48,7 @@ void draw_context_menu(Desk& desk) {
   if (ImGui::BeginPopup(kContextMenu)) {
     const Ui::Scope scope(ui, "Context");
     draw_edit_choices(desk, desk.window.context_target);
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) ImGui::CloseCurrentPopup();
     ImGui::EndPopup();
   }
   ImGui::PopStyleVar(2);

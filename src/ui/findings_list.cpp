@@ -18,35 +18,6 @@ namespace {
 
 constexpr float kDot = 4;  // radius at scale 1
 
-// A pill that is on or off; the cursor goes on to the right, or to the next line where there is no room.
-bool draw_chip(Ui& ui, const std::string& name, const std::string& label, bool on, ImU32 dot, float right,
-               bool first) {
-  const Palette& p = ui.colours();
-  ImFont* font = ui.theme().small();
-  const ImVec2 text = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, label.c_str());
-  const ImVec2 size(text.x + ui.px(28), font->FontSize + ui.px(9));
-  if (!first) {
-    ImGui::SameLine(0, ui.px(4));
-    if (ImGui::GetCursorScreenPos().x + size.x > right) ImGui::NewLine();
-  }
-  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size.x, min.y + size.y);
-  const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
-  ui.record_item(name);
-  const bool hovered = ImGui::IsItemHovered();
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const float round = 0.5f * size.y;
-  draw.AddRectFilled(min, max, hovered ? p.hovered : on ? p.raised : with_alpha(p.raised, 0.0f), round);
-  draw.AddRect(min, max, p.line, round);
-  const ImVec2 centre(min.x + ui.px(12), 0.5f * (min.y + max.y));
-  if (on) {
-    draw.AddCircleFilled(centre, ui.px(kDot), dot, 16);
-  } else {
-    draw.AddCircle(centre, ui.px(kDot - 0.5f), p.ink_faint, 16);
-  }
-  draw_text_aligned(draw, font, ImVec2(min.x + ui.px(20), min.y), max, 0.0f, on ? p.ink : p.ink_faint, label);
-  return pressed;
-}
-
 // One switch per kind that there is; a click with ctrl leaves that kind alone on.
 void draw_chips(Desk& desk) {
   Ui& ui = desk.ui;
@@ -68,8 +39,8 @@ void draw_chips(Desk& desk) {
     std::replace(label.begin(), label.end(), '-', ' ');
     label += "  " + format_count(list.count[k]);
     const bool on = !hidden[k];
-    if (draw_chip(ui, std::string("kind ") + info(kind).name, label, on, severity_colour(ui, worst[k]), right,
-                  first)) {
+    if (ui.chip(std::string("kind ") + info(kind).name, label, on, severity_colour(ui, worst[k]), right,
+                first)) {
       if (ImGui::GetIO().KeyCtrl) {
         hidden.set();
         hidden.reset(k);

@@ -57,12 +57,16 @@ void draw_findings_panel(Desk& desk, const Rect& place) {
   const Ui::Scope scope(ui, "Findings");
   const std::array<std::string, 2> tabs = {"Findings", "Report"};
   ui.segmented("tab", tabs, desk.window.right_tab);
+  desk.state.pointed_edit.reset();
+  desk.state.pointed_all = false;
   if (desk.window.right_tab == 0) {
-    // Suggestions, once there are any, stand here: what to click comes before why.
+    // What to click comes before why.
+    if (ui.section("suggestions", "Suggestions", true, suggestions_summary(desk))) draw_suggestions(desk);
     const auto findings = desk.state.findings();
     const auto count = findings ? findings->diagnosis.findings.size() : 0;
     const std::string summary = count > 0 ? format_count(static_cast<std::int64_t>(count)) : "";
     if (ui.section("findings", "Findings", true, summary)) draw_finding_list(desk);
+    if (ui.section("limits", "Limits of findings", false, limits_summary(desk))) draw_limits(desk);
     if (ui.section("selection", "Selection")) draw_selection(desk);
     const Demands& demands = desk.state.document().settings().demands;
     const auto pins = static_cast<std::int64_t>(demands.pins.size() + demands.plane_pins.size());

@@ -86,6 +86,8 @@ float draw_menu_bar(Desk& desk) {
         draw_edit_choices(desk, target_of_selection(desk.state));
         ImGui::EndMenu();
       }
+      item(desk, Action::ApplySuggestion);
+      item(desk, Action::ApplyAllSuggestions);
       ImGui::Separator();
       for (const Action action : {Action::SelectBox, Action::SelectAll, Action::SelectBorder,
                                   Action::SelectInverse, Action::SelectMore, Action::SelectLess,
@@ -106,6 +108,8 @@ float draw_menu_bar(Desk& desk) {
       item(desk, Action::Markers);
       item(desk, Action::NextFinding);
       item(desk, Action::PreviousFinding);
+      item(desk, Action::NextSuggestion);
+      item(desk, Action::PreviousSuggestion);
       ImGui::Separator();
       item(desk, Action::ColourNone);
       item(desk, Action::ColourPlanarity);

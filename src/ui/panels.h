@@ -53,9 +53,19 @@ DemandSummary demand_summary(const Desk& desk);
 // What a pixel of a drag changes a length by: about a thousandth of the model, as a round number.
 double length_step(const Desk& desk);
 
+// The suggestions, for the right panel, and how many there are, for the section's title; what one gains, as a
+// tooltip, and as lines of one.
+void draw_suggestions(Desk& desk);
+std::string suggestions_summary(const Desk& desk);
+void explain_suggestion(Ui& ui, const AppState& state, const Suggestion& suggestion);
+void draw_gain_parts(Ui& ui, const Suggestion& suggestion);
+
 // The list of findings, for the right panel; and the colour that stands for a severity.
 void draw_finding_list(Desk& desk);
 ImU32 severity_colour(const Ui& ui, double severity);
+// From which measure on a place is a finding, likewise.
+void draw_limits(Desk& desk);
+std::string limits_summary(const Desk& desk);
 // The two halves of the right panel that other parts do not need to know.
 void draw_energy_table(Desk& desk);
 void draw_report(Desk& desk);

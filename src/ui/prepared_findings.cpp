@@ -13,11 +13,13 @@ PreparedFindings prepare_findings(const PrepareJob& job) {
   PreparedFindings out;
   out.layer = job.layer;
   out.number = job.number;
+  out.iterate = job.iterate;
+  out.thresholds = job.thresholds;
   if (job.neighbour) {
     const NeighbourLayer other{job.neighbour->complex, job.neighbour->state};
-    out.diagnosis = diagnose(complex, job.iterate->state, {}, &other);
+    out.diagnosis = diagnose(complex, job.iterate->state, job.thresholds, &other);
   } else {
-    out.diagnosis = diagnose(complex, job.iterate->state);
+    out.diagnosis = diagnose(complex, job.iterate->state, job.thresholds);
   }
   out.milliseconds = watch.milliseconds();
   return out;

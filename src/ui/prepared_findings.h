@@ -5,9 +5,11 @@
 
 #include <bitset>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/design/solve_session.h"
 #include "core/diagnose/diagnosis.h"
 
 namespace planewright::ui {
@@ -20,9 +22,11 @@ inline bool is_hidden(const HiddenFindings& hidden, FindingKind kind) {
 }
 
 struct PreparedFindings {
-  std::uint64_t layer = 0, number = 0;  // of the job, as in PreparedView
-  Diagnosis diagnosis;                  // of the job's iterate; indices are of its complex
-  double milliseconds = 0.0;            // spent looking
+  std::uint64_t layer = 0, number = 0;     // of the job, as in PreparedView
+  std::shared_ptr<const Iterate> iterate;  // the job's
+  FindingSettings thresholds;              // likewise
+  Diagnosis diagnosis;                     // of that iterate; indices are of its complex
+  double milliseconds = 0.0;               // spent looking
 };
 
 PreparedFindings prepare_findings(const PrepareJob& job);

@@ -17,19 +17,20 @@ struct Form {
 };
 constexpr std::size_t kAny = std::numeric_limits<std::size_t>::max();
 constexpr std::array kForms = {
-    Form{"open", 1, 1},          Form{"drop", 1, 1},         Form{"sample", 1, 2},
-    Form{"wait_loaded", 1, 1},   Form{"wait_solved", 1, 1},  Form{"wait_solving", 1, 1},
-    Form{"wait_iterates", 2, 2}, Form{"wait_frames", 1, 1},  Form{"click", 1, 1},
-    Form{"ctrl_click", 1, 1},    Form{"double_click", 1, 1}, Form{"hover", 1, 1},
-    Form{"wheel", 2, 2},         Form{"drag", 2, 2},         Form{"press", 1, 1},
-    Form{"move", 2, 2},          Form{"release", 0, 0},      Form{"drag_by", 3, 3},
-    Form{"click_edge", 1, 1},    Form{"hover_edge", 1, 1},   Form{"context_edge", 1, 1},
-    Form{"click_model", 2, 2},   Form{"click_panel", 1, 2},  Form{"click_corner", 1, 2},
-    Form{"drag_pin", 3, 3},      Form{"drag_box", 4, 5},     Form{"hover_model", 2, 2},
-    Form{"orbit", 2, 2},         Form{"pan", 2, 2},          Form{"zoom", 1, 1},
-    Form{"key", 1, 1},           Form{"type", 1, 1},         Form{"export", 1, 1},
-    Form{"screenshot", 1, 1},    Form{"expect", 3, 3},       Form{"remember", 2, 2},
-    Form{"print", 0, kAny},      Form{"dump_ui", 0, 0},      Form{"clear_timings", 0, 0},
+    Form{"open", 1, 1},          Form{"drop", 1, 1},          Form{"sample", 1, 2},
+    Form{"wait_loaded", 1, 1},   Form{"wait_solved", 1, 1},   Form{"wait_solving", 1, 1},
+    Form{"wait_rated", 1, 1},    Form{"wait_iterates", 2, 2}, Form{"wait_frames", 1, 1},
+    Form{"click", 1, 1},         Form{"ctrl_click", 1, 1},    Form{"double_click", 1, 1},
+    Form{"hover", 1, 1},         Form{"wheel", 2, 2},         Form{"drag", 2, 2},
+    Form{"press", 1, 1},         Form{"move", 2, 2},          Form{"release", 0, 0},
+    Form{"drag_by", 3, 3},       Form{"click_edge", 1, 1},    Form{"hover_edge", 1, 1},
+    Form{"context_edge", 1, 1},  Form{"click_model", 2, 2},   Form{"click_panel", 1, 2},
+    Form{"click_corner", 1, 2},  Form{"drag_pin", 3, 3},      Form{"drag_box", 4, 5},
+    Form{"hover_model", 2, 2},   Form{"orbit", 2, 2},         Form{"pan", 2, 2},
+    Form{"zoom", 1, 1},          Form{"key", 1, 1},           Form{"type", 1, 1},
+    Form{"export", 1, 1},        Form{"screenshot", 1, 1},    Form{"expect", 3, 3},
+    Form{"remember", 2, 2},      Form{"print", 0, kAny},      Form{"dump_ui", 0, 0},
+    Form{"clear_timings", 0, 0},
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "ui/layer_edits.h"
 #include "ui/script.h"
 #include "ui/solve_badge.h"
+#include "ui/suggestion_text.h"
 #include "ui/test_driver.h"
 
 namespace planewright::ui {
@@ -68,8 +69,8 @@ std::optional<std::string> energy_value(const AppState& state, const std::string
 
 // findings, findings.KIND: how many there are, "none" until that is known; findings_listed: of the kinds that
 // are not hidden; finding: the row that the designer is at, -1 for none; finding.ROW.measure, .kind,
-// .element; flagged: edges; flagged.I: the edge; flagged.flippable: the first that can be flipped,
-// flagged.stuck: that cannot.
+// .element; limit.KIND: from which measure on; flagged: edges; flagged.I: the edge; flagged.flippable: the
+// first that can be flipped, flagged.stuck: that cannot.
 std::optional<std::string> finding_value(const AppState& state, const std::string& key) {
   const FindingList& list = state.finding_list();
   if (key == "findings") return list.from ? std::to_string(list.from->diagnosis.findings.size()) : "none";
@@ -77,6 +78,10 @@ std::optional<std::string> finding_value(const AppState& state, const std::strin
   if (key == "finding") return text_of(state.current_finding().value_or(-1));
   if (key == "solved") return list.from ? (list.from->diagnosis.solved ? "1" : "0") : "none";
   if (key == "flagged") return std::to_string(list.flagged.size());
+  if (key.starts_with("limit.")) {
+    const auto kind = find_finding_kind(key.substr(6));
+    return kind ? std::optional(text_of(state.finding_settings()[*kind].threshold)) : std::nullopt;
+  }
   if (key.starts_with("findings.")) {
     const auto kind = find_finding_kind(key.substr(9));
     if (!kind) return std::nullopt;
@@ -93,6 +98,31 @@ std::optional<std::string> finding_value(const AppState& state, const std::strin
     if (what == "measure") return text_of(finding.measure);
     return std::nullopt;
   }
+  return std::nullopt;
+}
+
+// suggestions: how many there are, "none" as long as none is known; suggestions_listed: of the kinds that are
+// not left out; suggestions_together: that are applied with one button; suggestion: the row that the designer
+// is at, -1 for none; suggestion.ROW.gain, .edit, .edge; rated, candidates: how far the rating is; rating.
+std::optional<std::string> suggestion_value(const AppState& state, const std::string& key) {
+  const SuggestionList& list = state.suggestion_list();
+  if (key == "suggestions") return list.from ? std::to_string(list.from->ranked.size()) : "none";
+  if (key == "suggestions_listed") return text_of(list.size());
+  if (key == "suggestions_together") return std::to_string(list.together.size());
+  if (key == "suggestions_text") return why_no_suggestions(state);
+  if (key == "suggestion") return text_of(state.current_suggestion().value_or(-1));
+  if (key == "rating") return state.rating() ? "1" : "0";
+  if (key == "rated") return text_of(list.from ? list.from->tried : 0);
+  if (key == "candidates") return text_of(list.from ? list.from->candidates : 0);
+  if (!key.starts_with("suggestion.")) return std::nullopt;
+  const std::size_t dot = key.find('.', 11);
+  const auto row = number_in(key.substr(11, dot == std::string::npos ? dot : dot - 11));
+  if (!row || dot == std::string::npos || *row < 0 || *row >= list.size()) return std::nullopt;
+  const Suggestion& suggestion = list.at(static_cast<int>(*row));
+  const std::string what = key.substr(dot + 1);
+  if (what == "gain") return text_of(suggestion.gain());
+  if (what == "edit") return state.edit_name(suggestion.candidate.edit);
+  if (what == "edge") return text_of(suggestion.candidate.mesh_edge);
   return std::nullopt;
 }
 
@@ -138,6 +168,13 @@ const std::vector<std::string>& state_keys() {
                                                 "finding",
                                                 "solved",
                                                 "flagged",
+                                                "suggestions",
+                                                "suggestions_listed",
+                                                "suggestions_together",
+                                                "suggestion",
+                                                "rating",
+                                                "rated",
+                                                "candidates",
                                                 "history",
                                                 "fingerprint",
                                                 "undo",
@@ -242,6 +279,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "displacement") return text_of(shown ? shown->displacement.rms : 0.0);
   if (key == "objective") return text_of(state.history().empty() ? 0.0 : state.history().back().objective);
   if (auto value = finding_value(state, key)) return value;
+  if (auto value = suggestion_value(state, key)) return value;
   if (key == "findings_text") return why_no_findings(findings_standing(state), c.window.settings.unit);
   if (key == "history") return count(document.history().size());
   if (key == "steps_done") return count(document.steps_done());

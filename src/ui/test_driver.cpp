@@ -367,6 +367,9 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
   } else if (verb == "wait_solved") {
     wait("for the solve to end", number(words[1]),
          [](const DriverContext& now, int) { return now.state.settled(); });
+  } else if (verb == "wait_rated") {
+    wait("for edits to be rated", number(words[1]),
+         [](const DriverContext& now, int) { return now.state.advice_fits() && now.state.advice()->done; });
   } else if (verb == "wait_solving") {
     wait("for a solve to begin", number(words[1]),
          [](const DriverContext& now, int) { return now.state.solving(); });

@@ -49,6 +49,10 @@ Result<UserSettings> parse_user_settings(const std::string& text) {
   read(json, "auto_solve", s.auto_solve);
   read(json, "polish_automatically", s.polish_automatically);
   read(json, "last_folder", s.last_folder);
+  if (const auto limits = json.find("finding_limits"); limits != json.end() && limits->is_object()) {
+    for (const auto& [name, limit] : limits->items())
+      if (limit.is_number()) s.finding_limits[name] = limit.get<double>();
+  }
   s.window_width = std::clamp(s.window_width, 640, 16384);
   s.window_height = std::clamp(s.window_height, 480, 16384);
   s.left_width = std::clamp(s.left_width, 240.0f, 800.0f);
@@ -72,6 +76,7 @@ std::string format_user_settings(const UserSettings& s) {
       {"show_hint", s.show_hint},
       {"auto_solve", s.auto_solve},
       {"polish_automatically", s.polish_automatically},
+      {"finding_limits", s.finding_limits},
       {"last_folder", s.last_folder},
   };
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";

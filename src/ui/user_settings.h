@@ -6,6 +6,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -20,9 +21,10 @@ struct UserSettings {
   bool dark = false;
   std::string unit = "m";  // what one unit of a model is called
   bool show_ghost = true;
-  bool show_hint = true;              // the three lines of what to try
-  bool auto_solve = true;             // solve at every change
-  bool polish_automatically = false;  // Ipopt confirms what the tangent solver has finished
+  bool show_hint = true;                              // the three lines of what to try
+  bool auto_solve = true;                             // solve at every change
+  bool polish_automatically = false;                  // Ipopt confirms what the tangent solver has finished
+  std::map<std::string, double> finding_limits = {};  // finding_limits.h
   std::string last_folder = {};
 
   bool operator==(const UserSettings&) const = default;

@@ -36,6 +36,7 @@ struct PrepareJob {
   std::uint64_t number = 0;                       // of the job: tells views of the same state apart
   double thickness = 0.0;                         // of the panels, along their normals; 0: none
   std::shared_ptr<const Iterate> neighbour = {};  // the layer that beams lead to; null: none
+  FindingSettings thresholds = {};                // of the findings
 };
 
 // One quad per panel edge between two layers, or between the two sides of thick panels.

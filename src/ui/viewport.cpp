@@ -371,6 +371,7 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place) {
   v.picture(ui, state);
   if (v.redrawn) state.timings.scene.add(watch.milliseconds());
   ImGui::GetWindowDrawList()->AddImage(v.target.texture(), place.min, place.max, ImVec2(0, 1), ImVec2(1, 0));
+  v.draw_suggestions(ui, state);
   if (v.scale && v.shown) draw_legend(ui, v.place, *v.scale, v.colours);
   draw_axes(ui, v.place, v.camera);
   if (v.boxing && v.dragging) v.draw_box(ui, ImGui::GetIO().MousePos);

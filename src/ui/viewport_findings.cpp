@@ -28,7 +28,7 @@ void Viewport::Impl::take_flagged(const AppState& state) {
 void Viewport::Impl::mark_findings(const AppState& state, std::vector<render::Marker>& marks,
                                    std::vector<render::Segment>& segments) const {
   const FindingList& list = state.finding_list();
-  if (!markers || !shown || !list.from || list.from->number != shown->number) return;
+  if (!markers || !shown || !list.from || list.from->iterate != shown->iterate) return;
   const TangentComplex& complex = shown->complex();
   const auto place_of = [&](int point) -> Vector3d { return shown->points.row(point).transpose(); };
   std::vector<double> of_edge(complex.panel_edges.size(), 0.0);
@@ -116,8 +116,8 @@ void Viewport::Impl::explain_edge(Ui& ui, const AppState& state, int edge) const
   ImGui::BeginTooltip();
   ui.text(name, allowed ? p.accent : p.ink_soft);
   ImGui::SameLine();
-  // A predicted gain, once there is one, stands on this line.
   ui.text(allowed ? "click flips it" : allowed.error().what, allowed ? p.ink : p.ink_soft);
+  explain_gain(ui, state, edge, allowed.has_value());
   if (of != nullptr) {
     ui.gap(3);
     const double mean_edge = shown->complex().mean_edge;

@@ -1,6 +1,7 @@
 // Viewport::Impl: what the viewport holds between frames and how it finds what is under the mouse. Internal
 // to viewport.cpp (uploading, camera, drawing), viewport_marks.cpp (marks), viewport_findings.cpp (what is
-// bad, and edges to click) and viewport_mouse.cpp (what the mouse does). Threads: the window's.
+// bad, and edges to click), viewport_suggestions.cpp (ghosts of edits) and viewport_mouse.cpp (what the mouse
+// does). Threads: the window's.
 #pragma once
 
 #include <imgui_internal.h>
@@ -23,6 +24,7 @@ inline constexpr float kEdgeReach = 7;    // pixels at scale 1 within which an e
 inline constexpr float kCornerReach = 7;  // likewise a corner, but not more than this part of a panel's edge:
 inline constexpr float kCornerPart = 0.2f;
 inline constexpr float kPinReach = 9;
+inline constexpr float kVertexReach = 14;  // of a menu, which lists what is near beside each other
 inline constexpr float kFlaggedReach = 9;  // of an edge that a finding flags, which goes before others
 // Ends of an edge belong to the panels that meet there; only the middle of it flips.
 inline constexpr float kEdgeEnds = 0.2f;
@@ -95,6 +97,7 @@ struct Viewport::Impl {
   ImVec2 press_at{}, last_at{};
   Vector3d pivot = Vector3d::Zero();
   glm::vec2 hover_probe{-1, -1};
+  std::shared_ptr<const EditPreview> previewed;  // of the edit whose ghost is shown
   bool right_press = false;
   std::optional<EditTarget> context_request;
 
@@ -181,6 +184,14 @@ struct Viewport::Impl {
   void mark_findings(const AppState& state, std::vector<render::Marker>& marks,
                      std::vector<render::Segment>& segments) const;
   void explain_edge(Ui& ui, const AppState& state, int edge) const;
+  std::optional<MeshEdit> edit_pointed_at(const AppState& state) const;
+  void draw_edit(Ui& ui, const AppState& state, const MeshEdit& edit, const EditPreview* known) const;
+  bool edit_in_sight(const AppState& state, const Vector3d& at) const;
+  void ring_edit(Ui& ui, const AppState& state, const MeshEdit& edit) const;
+  void draw_suggestions(Ui& ui, AppState& state);
+  void explain_gain(Ui& ui, const AppState& state, int edge, bool may_flip) const;
+
+  std::optional<int> edge_of_corner(const AppState& state, std::optional<int> corner) const;
   std::optional<int> finding_under(const AppState& state, ImVec2 at, float reach) const;
   void fly();
   EditTarget target_under(ImVec2 at, float scale_factor) const;

@@ -127,8 +127,20 @@ void Viewport::Impl::hover(Ui& ui, const AppState& state, ImVec2 at) {
   }
 }
 
+// The edge of the border that a corner stands on: the corner hides its middle, where one would click.
+std::optional<int> Viewport::Impl::edge_of_corner(const AppState& state, std::optional<int> corner) const {
+  if (!corner || !shown || *corner >= shown->complex().point_count()) return std::nullopt;
+  const auto& now = state.document().ids();
+  if (!shown->ids || !now || *shown->ids != *now) return std::nullopt;
+  const PointOrigin& origin = shown->complex().point_origin[static_cast<std::size_t>(*corner)];
+  return origin.kind == PointKind::BorderEdge ? std::optional(origin.element) : std::nullopt;
+}
+
 void Viewport::Impl::explain_hovered(Ui& ui, const AppState& state) const {
-  if (!hovered && !hovered_pin) return;
+  if (!hovered && !hovered_pin) {
+    if (const auto edge = edge_of_corner(state, hovered_corner)) explain_edge(ui, state, *edge);
+    return;
+  }
   if (hovered_pin) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(10), ui.px(7)));
     ImGui::BeginTooltip();
@@ -143,12 +155,14 @@ void Viewport::Impl::explain_hovered(Ui& ui, const AppState& state) const {
   }
 }
 
-// The mesh edge under the mouse, and the face.
+// The mesh edge under the mouse, the face, and the vertex.
 EditTarget Viewport::Impl::target_under(ImVec2 at, float scale_factor) const {
   EditTarget found;
   if (!mesh) return found;
   found.edge = edge_under(at, scale_factor);
   if (const auto hit = render::pick_polygon(occluder, camera.ray(to_picture(at)))) found.face = hit->polygon;
+  found.vertex = render::pick_point(mesh->points, camera, to_picture(at),
+                                    kVertexReach * scale_factor * pixel_ratio, &occluder);
   return found;
 }
 
@@ -187,6 +201,12 @@ void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
   }
   if (how == Combine::Replace) state.clear_selection();
   if (!shown) return;
+  if (const auto of = edge_of_corner(state, corner); of && how == Combine::Replace) {
+    if (const Result<void> allowed = state.document().may_edit(MeshEdit::flip(*of)); !allowed) {
+      const Error& why = allowed.error();
+      state.post(Message::Kind::Refused, why.what, why.where, why.remedy);
+    }
+  }
   if (pin) {
     const auto& pins = state.document().settings().demands.pins;
     if (const auto point = state.shown_point(pins[static_cast<std::size_t>(*pin)].point)) {

@@ -3,6 +3,7 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cfloat>
 #include <cmath>
 
 #include "ui/widget_text.h"
@@ -285,6 +286,34 @@ bool Ui::section(std::string_view name, std::string_view title, bool open_at_fir
   }
   if (line_x < line_end) draw.AddLine(ImVec2(line_x, line_y), ImVec2(line_end, line_y), colours().line);
   return open;
+}
+
+bool Ui::chip(const std::string& name, const std::string& label, bool on, ImU32 dot, float right,
+              bool first) {
+  const Palette& p = colours();
+  ImFont* font = theme_.small();
+  const ImVec2 text = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, label.c_str());
+  const ImVec2 size(text.x + px(28), font->FontSize + px(9));
+  if (!first) {
+    ImGui::SameLine(0, px(4));
+    if (ImGui::GetCursorScreenPos().x + size.x > right) ImGui::NewLine();
+  }
+  const ImVec2 min = ImGui::GetCursorScreenPos(), max(min.x + size.x, min.y + size.y);
+  const bool pressed = ImGui::InvisibleButton(name.c_str(), size);
+  record_item(name);
+  const bool hovered = ImGui::IsItemHovered();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float round = 0.5f * size.y;
+  draw.AddRectFilled(min, max, hovered ? p.hovered : on ? p.raised : with_alpha(p.raised, 0.0f), round);
+  draw.AddRect(min, max, p.line, round);
+  const ImVec2 centre(min.x + px(12), 0.5f * (min.y + max.y));
+  if (on) {
+    draw.AddCircleFilled(centre, px(4), dot, 16);
+  } else {
+    draw.AddCircle(centre, px(3.5f), p.ink_faint, 16);
+  }
+  draw_text_aligned(draw, font, ImVec2(min.x + px(20), min.y), max, 0.0f, on ? p.ink : p.ink_faint, label);
+  return pressed;
 }
 
 bool Ui::selectable(std::string_view name, std::string_view label, bool selected) {

@@ -122,6 +122,9 @@ class Ui {
   // A heading that opens and closes what follows; `summary` stands at its end.
   bool section(std::string_view name, std::string_view title, bool open_at_first = true,
                std::string_view summary = {}, ImU32 summary_colour = 0);
+  // A pill that is on or off, with a dot; goes on to the right of the one before, or in the next line where
+  // that would pass `right`.
+  bool chip(const std::string& name, const std::string& label, bool on, ImU32 dot, float right, bool first);
   bool selectable(std::string_view name, std::string_view label, bool selected);
 
   // --- Texts.

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
+#include "ui/finding_limits.h"
 #include "ui/panels.h"
 #include "ui/render/png.h"
 #include "ui/test_driver.h"
@@ -186,6 +187,7 @@ Result<void> Window::open() {
   state_.view_options.ghost = settings.show_ghost;
   state_.set_auto_solve(settings.auto_solve);
   state_.set_polish_automatically(settings.polish_automatically);
+  state_.set_finding_settings(with_limits(settings.finding_limits));
 
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);

@@ -22,7 +22,8 @@ struct WindowState {
   bool show_about = false;
   int right_tab = 0;  // findings, report
   bool tab_wanted = false;
-  std::optional<int> listed_finding;  // that the list has last brought into sight
+  std::optional<int> listed_finding, listed_suggestion;  // that the list has last brought into sight
+  std::optional<MeshEdit> suggestion_wanted;             // that was clicked in the list
   bool fit_wanted = false, reset_view_wanted = false;
   std::optional<LookAt> look_at;
   EditTarget context_target;  // of the menu that the right button opened

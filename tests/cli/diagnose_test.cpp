@@ -59,6 +59,76 @@ TEST_F(Diagnose, FindingsAreATableAndAReport) {
   EXPECT_EQ(json("d.json")["diagnosis"]["findings"], report["counts"]);
 }
 
+TEST_F(Diagnose, RanksEditsThatWouldBetterIt) {
+  const std::string input = sample("turning-strip", 300);
+  const Ended bad = run({"diagnose", input, "--solver", "tangent", "--report", path("r.json")});
+  EXPECT_EQ(bad.status, 1) << bad.err;
+  for (const char* words : {"suggestions: ", "edit", "gain", "energy", "cost", "Collapse edge "})
+    EXPECT_NE(bad.out.find(words), std::string::npos) << words << " is not in: " << bad.out;
+  const Json list = json("r.json")["suggestions"];
+  ASSERT_GT(list.size(), 2u);
+  double before = 1e9;
+  for (const Json& suggestion : list) {
+    EXPECT_EQ(suggestion["edit"], "collapse");
+    EXPECT_GE(suggestion["element"].get<int>(), 0);
+    EXPECT_EQ(suggestion["vertices"].size(), 2u);
+    EXPECT_EQ(suggestion["place"].size(), 3u);
+    const double gain = suggestion["gain"].get<double>();
+    EXPECT_GE(gain, 0.1);
+    EXPECT_LE(gain, before);
+    before = gain;
+    double sum = 0.0;
+    for (const auto& [name, part] : suggestion["parts"].items()) sum += part.get<double>();
+    EXPECT_NEAR(sum, gain, 1e-12);
+  }
+  // Findings alone.
+  const Ended findings =
+      run({"diagnose", input, "--solver", "tangent", "--no-suggestions", "--report", path("n.json")});
+  EXPECT_EQ(findings.status, 1);
+  EXPECT_EQ(findings.out.find("suggestions"), std::string::npos) << findings.out;
+  Json without = json("n.json");
+  EXPECT_TRUE(without["suggestions"].is_null());
+  without["suggestions"] = list;
+  EXPECT_EQ(without, json("r.json"));
+}
+
+TEST_F(Diagnose, RatesEditsUnderConstraints) {
+  const Ended ended = run({"diagnose", sample("turning-strip", 144), "--solver", "tangent", "--constraint",
+                           "uncrossed", "--quiet", "--report", path("r.json")});
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  EXPECT_GT(json("r.json")["suggestions"].size(), 0u);
+}
+
+TEST_F(Diagnose, TakesThresholds) {
+  const std::string input = sample("bad-saddle", 300);
+  const auto close = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> arguments{"diagnose",         input,     "--solver", "tangent",
+                                       "--no-suggestions", "--quiet", "--report", path("r.json")};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    EXPECT_EQ(run(arguments).status, 1);
+    return json("r.json");
+  };
+  const Json usual = close({}),
+             changed = close({"--threshold", "close-points=0.2", "--threshold", "reversed-edge=1e3"});
+  EXPECT_GT(changed["counts"]["close-points"].get<int>(), usual["counts"]["close-points"].get<int>());
+  EXPECT_GT(usual["counts"]["reversed-edge"].get<int>(), 0);
+  EXPECT_EQ(changed["counts"]["reversed-edge"], 0);
+  for (const Json& finding : changed["findings"])
+    if (finding["kind"] == "close-points") {
+      EXPECT_EQ(finding["threshold"], 0.2);
+    }
+  const Json as_is = [&] {
+    folder_.write("dart.obj", "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 0.5 1 0\nf 1 2 3 4\n");
+    EXPECT_EQ(run({"diagnose", path("dart.obj"), "--as-is", "--threshold", "close-points=3", "--report",
+                   path("r.json")})
+                  .status,
+              1);
+    return json("r.json");
+  }();
+  EXPECT_GT(as_is["counts"]["close-points"].get<int>(), 0);
+  EXPECT_TRUE(as_is["suggestions"].is_null());
+}
+
 TEST_F(Diagnose, TakesTheModeThatFitsTheMeshAndTheKindsAskedFor) {
   const std::string input = sample("turning-strip", 144);
   const Ended all = run({"diagnose", input, "--quiet", "--report", path("r.json")});

@@ -105,7 +105,7 @@ TEST(EditChoices, OffersEachEditOrSaysWhyNot) {
   }
   int inner = 0;
   while (!document.mesh()->can_flip(inner)) ++inner;
-  for (const EditChoice& choice : edit_choices(document, {inner, 0})) {
+  for (const EditChoice& choice : edit_choices(document, {inner, 0, 0})) {
     EXPECT_NE(choice.edit.has_value(), !choice.refused.empty()) << choice.name;
     EXPECT_EQ(choice.edit.has_value(), choice.name != "split face") << "a triangle has no diagonal";
   }

@@ -66,6 +66,42 @@ TEST_F(WindowTest, HidesKindsOfFindings) {
   EXPECT_EQ(run.status, 0) << run.output;
 }
 
+TEST_F(WindowTest, SetsAndRemembersLimitsOfFindings) {
+  const Playback run = play(R"(
+    sample bad-saddle
+    wait_loaded 20
+    wait_solved 100
+    remember findings.close-points few
+    click Findings/limits
+    wait_frames 3
+    drag_by "Findings/limit close-points" 60 0
+    wait_frames 2
+    expect limit.close-points > 0.3
+    wait_solved 100
+    expect findings.close-points > $few
+    expect can_undo == 0
+    screenshot PICTURES/limits.png
+    drag_by "Findings/limit self-crossing" 20 0
+    wait_frames 2
+    expect limit.self-crossing == 0.1
+    click "Findings/limit self-crossing reset"
+    wait_frames 2
+    expect limit.self-crossing == 0
+  )");
+  ASSERT_EQ(run.status, 0) << run.output;
+  const Playback again = play(R"(
+    wait_loaded 20
+    wait_solved 100
+    expect limit.close-points > 0.3
+    click Findings/limits
+    wait_frames 3
+    double_click "Findings/limit close-points"
+    wait_frames 2
+    expect limit.close-points == 0.15
+  )");
+  EXPECT_EQ(again.status, 0) << again.output;
+}
+
 TEST_F(WindowTest, FlipsAFlaggedEdgeByAClick) {
   const Playback run = play(R"(
     sample bad-saddle
@@ -114,6 +150,27 @@ TEST_F(WindowTest, SaysWhyAnEdgeCannotBeFlipped) {
   EXPECT_EQ(run.status, 0) << run.output;
 }
 
+TEST_F(WindowTest, SaysWhyAnEdgeOfTheBorderCannotBeFlipped) {
+  const Playback run = play(R"(
+    sample dome 60
+    wait_loaded 20
+    wait_solved 100
+    remember revision at_first
+    remember messages_posted quiet
+    hover_edge stuck
+    wait_frames 3
+    screenshot PICTURES/hover_border.png
+    click_edge $edge
+    wait_frames 3
+    expect revision == $at_first
+    expect messages_posted > $quiet
+    expect last_message contains "border"
+    # The corner in the middle of the edge is what is selected.
+    expect selected_point >= 0
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
 TEST_F(WindowTest, EditsTheMeshFromAMenuAndGoesThroughTheHistory) {
   const Playback run = play(R"(
     sample bad-saddle
@@ -145,6 +202,7 @@ TEST_F(WindowTest, EditsTheMeshFromAMenuAndGoesThroughTheHistory) {
     click Menu/Edit/Mesh
     wait_frames 3
     expect "ui:Menu/Edit/Mesh/flip" == disabled
+    expect "ui:Menu/Edit/Mesh/move vertex" == disabled
     hover Menu/Edit/History
     wait_frames 12
     screenshot PICTURES/history.png
@@ -161,6 +219,28 @@ TEST_F(WindowTest, EditsTheMeshFromAMenuAndGoesThroughTheHistory) {
     click "Menu/Edit/History/step 2"
     wait_frames 3
     expect steps_done == 2
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, MovesAVertexFromTheMenu) {
+  const Playback run = play(R"(
+    sample bad-saddle
+    wait_loaded 20
+    wait_solved 100
+    click_panel any
+    wait_frames 2
+    expect selected_vertices == 1
+    click Menu/Edit
+    wait_frames 3
+    click Menu/Edit/Mesh
+    wait_frames 3
+    expect "ui:Menu/Edit/Mesh/move vertex" == enabled
+    click "Menu/Edit/Mesh/move vertex"
+    wait_frames 3
+    expect undo contains "Move vertex"
+    wait_solved 100
+    expect solved == 1
   )");
   EXPECT_EQ(run.status, 0) << run.output;
 }

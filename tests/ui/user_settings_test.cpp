@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 
+#include "ui/finding_limits.h"
+
 namespace planewright::ui {
 namespace {
 
@@ -14,6 +16,7 @@ TEST(UserSettings, SurviveTheRoundTrip) {
   settings.show_hint = false;
   settings.auto_solve = false;
   settings.polish_automatically = true;
+  settings.finding_limits = {{"close-points", 0.25}, {"twisted-beam", 2.0}};
   settings.last_folder = "/a folder/with \"quotes\" and ü";
   const auto read = parse_user_settings(format_user_settings(settings));
   ASSERT_TRUE(read.has_value());
@@ -28,6 +31,20 @@ TEST(UserSettings, UnknownMissingAndWrongKeysAreHarmless) {
   EXPECT_FALSE(read->polish_automatically);
   EXPECT_EQ(read->window_width, 640);
   EXPECT_EQ(read->unit, "m");
+}
+
+TEST(FindingLimits, KeepWhatDiffersAndLeaveTheRestOut) {
+  const FindingLimits limits = {{"close-points", 0.25}, {"far-point", 0.5}};
+  FindingLimits damaged = limits;
+  damaged["of the future"] = 1.0;
+  damaged["not-convex"] = -3.0;
+  EXPECT_EQ(limits_of(with_limits(damaged)), limits);
+  EXPECT_EQ(with_limits({}), FindingSettings());
+  for (const FindingKind kind : all_finding_kinds()) {
+    const LimitLook look = limit_look(kind, info(kind).threshold);
+    EXPECT_FALSE(look.unit.empty() || look.tooltip.empty()) << info(kind).name;
+    EXPECT_GT(look.per_pixel, 0.0);
+  }
 }
 
 TEST(UserSettings, DamagedTextIsAnError) {

@@ -5,15 +5,16 @@
 #include <tuple>
 
 namespace planewright {
-namespace {
-
-constexpr double kJoinCost = 0.5;  // a join gives up a corner of the design
-
-}  // namespace
-
-double Suggestion::gain(const ScoreWeights& weights) const {
-  return total(before, weights) - total(after, weights) - candidate.deviation -
-         (candidate.edit.kind == EditKind::Join ? kJoinCost : 0.0);
+GainParts Suggestion::parts(const ScoreWeights& weights) const {
+  GainParts parts;
+  parts.energy = weights.energy * (before.energy - after.energy);
+  parts.crossing = weights.crossing * (before.crossing - after.crossing);
+  parts.short_edges = weights.short_edges * (before.short_edges - after.short_edges);
+  parts.reversed = weights.reversed * (before.reversed - after.reversed);
+  parts.far_points = weights.far_points * (before.far_points - after.far_points);
+  parts.deviation = -candidate.deviation;
+  parts.given_up = -weights.given_up * candidate.given_up;
+  return parts;
 }
 
 void rank(std::vector<Suggestion>& suggestions, const ScoreWeights& weights) {
@@ -29,8 +30,10 @@ std::vector<Suggestion> rate(const PatchSolver& solver, const std::vector<Candid
   std::vector<Suggestion> suggestions;
   std::optional<PatchSolver::Ground> ground;
   std::vector<int> centre;  // of the ground
+  int rated = 0;
   for (const Candidate& candidate : candidates) {
     if (stop.stop_requested()) break;
+    if (options.progress) options.progress(rated++, static_cast<int>(candidates.size()));
     if (!ground || candidate.centre != centre) {
       ground.reset();
       auto prepared = solver.prepare(candidate.centre, options.radius, stop);

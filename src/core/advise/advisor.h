@@ -1,10 +1,10 @@
 // Advisor: suggestions for the mesh, each with the gain that solving its neighbourhood predicts, ranked.
 //
-//     gain = B(as it is) - B(edited) - deviation - 1/2 if it joins two faces
+//     gain = B(as it is) - B(edited) - deviation - 1/2 given_up
 //
-// B: score.h, of the same region after the same steps (patch_solver.h). Two rings predict the gain of a full
-// re-solve with a rank correlation of 0.8 to 0.95 (measured: planewright-bench advice); it is "about" until
-// then. Threads: pure; call it from a thread of its own. Deterministic: equal input, equal list.
+// B: score.h, of the same region (patch_solver.h). Four rings predict the gain of a full re-solve with a rank
+// correlation of 0.8 to 0.9, two with 0.7 (measured: planewright-bench advice); it is "about" until then.
+// Threads: pure; call it from a thread of its own. Deterministic: equal input, equal list.
 #pragma once
 
 #include <functional>
@@ -15,21 +15,31 @@
 
 namespace planewright {
 
+// What a gain is made of, each part weighted; their sum is the gain. Mean edges squared, larger is better.
+struct GainParts {
+  double energy = 0.0, crossing = 0.0, short_edges = 0.0, reversed = 0.0, far_points = 0.0;
+  double deviation = 0.0, given_up = 0.0;  // never above 0
+  double sum() const {
+    return energy + crossing + short_edges + reversed + far_points + deviation + given_up;
+  }
+};
+
 struct Suggestion {
   Candidate candidate;
   Score before, after;
   bool met = true;  // the local solve met every row; if not, the gain is a guess
-  // Larger is better, in mean edges squared.
-  double gain(const ScoreWeights& weights = {}) const;
+  GainParts parts(const ScoreWeights& weights = {}) const;
+  double gain(const ScoreWeights& weights = {}) const { return parts(weights).sum(); }
 };
 
 // Best first; ties by edge, then kind of edit.
 void rank(std::vector<Suggestion>& suggestions, const ScoreWeights& weights = {});
 
 struct AdviceOptions {
-  int radius = 2;
+  int radius = 4;
   ScoreWeights weights = {};
-  double least_gain = 0.1;  // suggestions below are left out
+  double least_gain = 0.1;                               // suggestions below are left out
+  std::function<void(int rated, int of)> progress = {};  // candidates; may be empty
 };
 
 // Ranked. on_rated (may be empty) is told of each suggestion with enough gain as soon as it is rated, in the

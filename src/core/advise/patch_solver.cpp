@@ -7,11 +7,14 @@
 #include "core/edit/remap.h"
 #include "core/solve/augmented_lagrangian.h"
 #include "core/solve/demand_projection.h"
+#include "core/solve/planar_frames.h"
+#include "core/solve/primal_dual_newton.h"
 
 namespace planewright {
 namespace {
 
-constexpr int kSoftSteps = 20, kProjectionSteps = 25;
+constexpr int kSoftSteps = 20, kNewtonSteps = 40, kProjectionSteps = 25;
+constexpr double kFirstOrder = 1e-3;  // slope at which a local solve ends
 constexpr double kMostPenalty = 3e3;
 constexpr double kOnPlane = 1e-9, kNear = 1.0;  // mean edges
 
@@ -43,19 +46,6 @@ std::vector<char> points_of_planes(const TangentComplex& complex, const std::vec
   return points;
 }
 
-// The free region as the builder begins it: a second start, where the first is caught behind a fold.
-State started_afresh(const TangentComplex& complex, const std::vector<char>& planes,
-                     const std::vector<char>& points, State state) {
-  for (int i = 0; i < complex.plane_count(); ++i)
-    if (planes[static_cast<size_t>(i)]) {
-      state.n.row(i) = complex.normals.row(i);
-      state.h[i] = complex.offsets[i];
-    }
-  for (int j = 0; j < complex.point_count(); ++j)
-    if (points[static_cast<size_t>(j)]) state.x.row(j) = complex.preferred.row(j);
-  return state;
-}
-
 Region region_of(const TangentComplex& complex, const std::vector<char>& planes,
                  const std::vector<char>& points) {
   Region region;
@@ -68,6 +58,35 @@ Region region_of(const TangentComplex& complex, const std::vector<char>& planes,
         points[static_cast<size_t>(complex.panel_edges[e].b)])
       region.panel_edges.push_back(static_cast<int>(e));
   return region;
+}
+
+// The way of a full re-solve from nearby: onto all rows, Newton steps, onto all rows again. Where the rows
+// are not met from here, softly held ones find their way first. Whether they are met at the end.
+bool minimise(const Problem& problem, Vector& z, TangentCache& cache, const std::stop_token& stop) {
+  Vector projected = z;
+  if (!project_onto_demands(problem, projected, kProjectionSteps, stop, &cache, kFrameTarget).met) {
+    AugmentedLagrangianOptions soft;
+    soft.max_steps = kSoftSteps;
+    soft.most_penalty = kMostPenalty;
+    soft.cache = &cache;
+    minimise_augmented_lagrangian(problem, z, soft, stop);
+    projected = z;
+    if (!project_onto_demands(problem, projected, kProjectionSteps, stop, &cache, kFrameTarget).met) {
+      z = std::move(projected);
+      return false;
+    }
+  }
+  z = projected;
+  NewtonOptions options;
+  options.max_steps = kNewtonSteps;
+  options.begin_gauss_newton = true;
+  options.first_order = kFirstOrder;
+  PlanarFrames nobody_looks(problem, nullptr, cache, stop);
+  Vector multipliers = Vector::Zero(problem.rows());
+  minimise_primal_dual(problem, z, multipliers, options, cache, nobody_looks, stop);
+  if (project_onto_demands(problem, z, kProjectionSteps, stop, &cache, kFrameTarget).met) return true;
+  z = std::move(projected);
+  return true;
 }
 
 Result<std::shared_ptr<const TangentComplex>> build(const PolygonMesh& mesh, const LayerSettings& settings,
@@ -174,44 +193,29 @@ Result<PatchSolver::Ground> PatchSolver::prepare(const std::vector<int>& centre,
   ground.complex = *complex;
   ground.state = state_on(*ground.complex, ground.patch.from_whole);
   auto as_it_is = solve(ground.complex, ground.state, ground.patch.mesh, ground.patch.from_whole,
-                        free_planes(*ground.complex, ground.patch.mesh, ground.patch, nullptr, radius), stop);
+                        free_planes(*ground.complex, ground.patch.mesh, ground.patch, nullptr, radius),
+                        !advised_.converged, stop);
   if (!as_it_is) return tl::unexpected(as_it_is.error());
   ground.as_it_is = std::move(*as_it_is);
   return ground;
 }
 
 Result<Trial> PatchSolver::attempt(const Ground& ground, const MeshEdit& edit, std::stop_token stop) const {
-  MeshEdit here = edit;
   const ElementMap& map = ground.patch.from_whole;
-  const auto index = [](const IndexMap& list, int element) {
-    return list.to_new[static_cast<size_t>(element)];
-  };
-  switch (edit.kind) {
-    case EditKind::MoveVertex:
-      here.element = index(map.vertices, edit.element);
-      break;
-    case EditKind::SplitFace:
-      for (int& corner : here.corners) corner = index(map.vertices, corner);
-      [[fallthrough]];
-    case EditKind::DeleteFace:
-      here.element = index(map.faces, edit.element);
-      break;
-    default:
-      here.element = index(map.edges, edit.element);
-  }
-  auto edited = apply(ground.patch.mesh, here);
+  auto edited = apply(ground.patch.mesh, renumbered(edit, map));
   if (!edited) return tl::unexpected(edited.error());
   auto complex = build(edited->mesh, advised_.settings, advised_.complex->mean_edge);
   if (!complex) return tl::unexpected(complex.error());
   State state = transfer(*ground.complex, ground.state, **complex, &edited->map);
   const auto planes = free_planes(**complex, edited->mesh, ground.patch, &edited->map, ground.patch.radius);
   intersect_new_points(**complex, points_of_planes(**complex, planes), state);
-  return solve(*complex, std::move(state), edited->mesh, composed(map, edited->map), planes, stop);
+  return solve(*complex, std::move(state), edited->mesh, composed(map, edited->map), planes, true, stop);
 }
 
 Result<Trial> PatchSolver::solve(std::shared_ptr<const TangentComplex> complex, State state,
                                  const PolygonMesh& mesh, const ElementMap& from_whole,
-                                 const std::vector<char>& planes, const std::stop_token& stop) const {
+                                 const std::vector<char>& planes, bool steps,
+                                 const std::stop_token& stop) const {
   LayerSettings settings = advised_.settings;
   std::vector<Selection> selections;
   if (remaps_) {
@@ -232,28 +236,22 @@ Result<Trial> PatchSolver::solve(std::shared_ptr<const TangentComplex> complex, 
   const auto problem = Problem::create(complex, local, frozen);
   if (!problem) return tl::unexpected(problem.error());
 
+  Vector z = (*problem)->from_state(state);
+  Trial trial;
+  trial.met = true;
+  if (steps) {
+    TangentCache cache;
+    trial.met = minimise(**problem, z, cache, stop);
+    state = (*problem)->to_state({z.data(), static_cast<size_t>(z.size())});
+  }
   const Region region = region_of(*complex, planes, points);
-  TangentCache cache;
-  const auto from = [&](const State& start) {
-    Vector z = (*problem)->from_state(start);
-    AugmentedLagrangianOptions options;
-    options.max_steps = kSoftSteps;
-    options.most_penalty = kMostPenalty;
-    options.cache = &cache;
-    minimise_augmented_lagrangian(**problem, z, options, stop);
-    Trial trial;
-    trial.met = project_onto_demands(**problem, z, kProjectionSteps, stop, &cache, kFrameTarget).met;
-    trial.state = (*problem)->to_state({z.data(), static_cast<size_t>(z.size())});
-    trial.score = defects_of(*complex, trial.state, region);
-    trial.score.energy = (*problem)->objective(z.data());
-    return trial;
-  };
-  Trial trial = from(state);
-  if (Trial afresh = from(started_afresh(*complex, planes, points, state));
-      std::pair(!afresh.met, total(afresh.score)) < std::pair(!trial.met, total(trial.score)))
-    trial = std::move(afresh);
+  trial.score = defects_of(*complex, state, region);
+  trial.score.energy = (*problem)->objective(z.data());
+  trial.state = std::move(state);
   trial.complex = std::move(complex);
   trial.from_whole = from_whole;
+  trial.free_planes = planes;
+  trial.free_points = points;
   return trial;
 }
 

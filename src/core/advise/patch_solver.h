@@ -3,10 +3,12 @@
 //
 // The patch is built, edited and solved like a whole design: same builder, energies, demands, weights;
 // unknowns outside keep their place (Layout::outside), so the outside stays exact. Free are the planes within
-// radius - 1 edges of the edit's centre and every point on one of them. Twenty augmented Lagrangian steps and
-// a projection, from the current state; a point whose planes changed starts where they meet, or where it is
-// wanted if that is more than an edge off. The patch without the edit gets the same steps, so that only the
-// edit makes a difference: two runs of one problem differ by more than many edits gain.
+// radius - 1 edges of the edit's centre and every point on one of them. Projection and Newton steps from the
+// current state, as a full re-solve from nearby would do them: other ways (an augmented Lagrangian, a second
+// start from where the builder begins) find other minima than that does, and predict it worse. A point whose
+// planes changed starts where they meet, or where it is wanted if that is more than an edge off. Where the
+// current state is no minimum, the patch without the edit gets the same steps, so that only the edit makes a
+// difference.
 //
 // Factorisations are Eigen's: a trial never waits for the main solver (mumps_gate.h). Units: mean edges of
 // the whole design. Threads: const members may be called by several threads at once. Deterministic.
@@ -35,6 +37,7 @@ struct Advised {
   LayerSettings settings;
   std::vector<Selection> selections = {};
   std::shared_ptr<const ReferenceSurface> reference = {};  // null: the mesh itself
+  bool converged = false;  // SolveStatus::Converged: patches need no solve to tell how they are
 };
 
 // One solve of a patch.
@@ -43,7 +46,8 @@ struct Trial {
   Score score;       // of the free region
   std::shared_ptr<const TangentComplex> complex;
   State state;
-  ElementMap from_whole;  // old: of the whole mesh, new: of the (edited) patch
+  ElementMap from_whole;                       // old: of the whole mesh, new: of the (edited) patch
+  std::vector<char> free_planes, free_points;  // which of the complex's were not held
 };
 
 class PatchSolver {
@@ -68,7 +72,7 @@ class PatchSolver {
  private:
   PatchSolver() = default;
   Result<Trial> solve(std::shared_ptr<const TangentComplex> complex, State state, const PolygonMesh& mesh,
-                      const ElementMap& from_whole, const std::vector<char>& free_planes,
+                      const ElementMap& from_whole, const std::vector<char>& free_planes, bool steps,
                       const std::stop_token& stop) const;
   State state_on(const TangentComplex& patch, const ElementMap& from_whole) const;
 

@@ -27,6 +27,7 @@ struct Score {
 
 struct ScoreWeights {
   double energy = 1.0, crossing = 2.0, short_edges = 0.5, reversed = 0.5, far_points = 1.0;
+  double given_up = 0.5;  // what a corner of the design is worth (Candidate::given_up)
   bool operator==(const ScoreWeights&) const = default;
 };
 

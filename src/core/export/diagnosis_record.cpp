@@ -1,6 +1,7 @@
 #include "core/export/diagnosis_record.h"
 
 #include "core/export/json_parts.h"
+#include "core/export/suggestion_json.h"
 
 namespace planewright {
 namespace {
@@ -21,7 +22,7 @@ Json finding_json(const Finding& finding, const TangentComplex& complex) {
           {"mesh_edges", edges}};
 }
 
-void add_layer(Json& json, const DiagnosisRecord& record) {
+void add_layer(Json& json, const DiagnosisRecord& record, const PolygonMesh& mesh) {
   const TangentComplex& complex = *record.complex;
   Json findings = Json::array();
   for (const Finding& finding : record.diagnosis.findings) findings.push_back(finding_json(finding, complex));
@@ -35,20 +36,21 @@ void add_layer(Json& json, const DiagnosisRecord& record) {
   json["off_planes"] = record.diagnosis.off_planes;
   json["counts"] = counts_json(record.diagnosis);
   json["findings"] = std::move(findings);
+  json["suggestions"] = record.suggestions ? suggestions_json(*record.suggestions, mesh) : Json();
 }
 
 }  // namespace
 
-std::string to_json(const std::string& input, const std::vector<DiagnosisRecord>& layers,
-                    const HealthReport& health) {
+std::string to_json(const std::string& input, const PolygonMesh& mesh,
+                    const std::vector<DiagnosisRecord>& layers, const HealthReport& health) {
   Json json = heading(input);
   if (layers.size() == 1 && layers.front().layer.empty()) {
-    add_layer(json, layers.front());
+    add_layer(json, layers.front(), mesh);
   } else {
     Json list = Json::array();
     for (const DiagnosisRecord& record : layers) {
       Json entry = {{"name", record.layer}};
-      add_layer(entry, record);
+      add_layer(entry, record, mesh);
       list.push_back(std::move(entry));
     }
     json["layers"] = std::move(list);

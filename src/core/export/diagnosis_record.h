@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/advise/advisor.h"
 #include "core/diagnose/diagnosis.h"
 #include "core/mesh/health_report.h"
 #include "core/solve/solve_report.h"
@@ -18,10 +19,13 @@ struct DiagnosisRecord {
   std::shared_ptr<const TangentComplex> complex;
   std::optional<SolveReport> solve;  // none: the panels were taken as they are
   Diagnosis diagnosis;
+  // Edits of the mesh that would better it, ranked; none: nothing was rated, `unrated` may say why.
+  std::optional<std::vector<Suggestion>> suggestions;
+  std::string unrated;
 };
 
-// Of all layers of one design, at least one; several, or one with a name, are a list "layers".
-std::string to_json(const std::string& input, const std::vector<DiagnosisRecord>& layers,
-                    const HealthReport& health);
+// Of all layers of one design of this mesh, at least one; several, or one with a name, are a list "layers".
+std::string to_json(const std::string& input, const PolygonMesh& mesh,
+                    const std::vector<DiagnosisRecord>& layers, const HealthReport& health);
 
 }  // namespace planewright

@@ -234,6 +234,26 @@ Result<EditedMesh> without_face(const PolygonMesh& mesh, int face) {
 
 }  // namespace
 
+const char* name(EditKind kind) {
+  switch (kind) {
+    case EditKind::Flip:
+      return "flip";
+    case EditKind::Join:
+      return "join";
+    case EditKind::SplitEdge:
+      return "split-edge";
+    case EditKind::SplitFace:
+      return "split-face";
+    case EditKind::Collapse:
+      return "collapse";
+    case EditKind::MoveVertex:
+      return "move-vertex";
+    case EditKind::DeleteFace:
+      return "delete-face";
+  }
+  return "";
+}
+
 std::string describe(const MeshEdit& edit) {
   const std::string element = std::to_string(edit.element);
   switch (edit.kind) {
@@ -253,6 +273,30 @@ std::string describe(const MeshEdit& edit) {
       return "Delete face " + element;
   }
   return "";
+}
+
+MeshEdit renumbered(const MeshEdit& edit, const ElementMap& map) {
+  const auto now = [](const IndexMap& list, int element) {
+    return element < 0 ? -1 : list.to_new[static_cast<size_t>(element)];
+  };
+  MeshEdit result = edit;
+  switch (edit.kind) {
+    case EditKind::MoveVertex:
+      result.element = now(map.vertices, edit.element);
+      break;
+    case EditKind::SplitFace:
+      for (int& corner : result.corners) corner = now(map.vertices, corner);
+      [[fallthrough]];
+    case EditKind::DeleteFace:
+      result.element = now(map.faces, edit.element);
+      break;
+    case EditKind::Flip:
+    case EditKind::Join:
+    case EditKind::SplitEdge:
+    case EditKind::Collapse:
+      result.element = now(map.edges, edit.element);
+  }
+  return result;
 }
 
 Result<EditedMesh> apply(const PolygonMesh& mesh, const MeshEdit& edit) {

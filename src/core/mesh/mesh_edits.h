@@ -55,6 +55,7 @@ struct MeshEdit {
   bool operator==(const MeshEdit&) const = default;
 };
 
+const char* name(EditKind kind);  // "split-edge": in reports
 // "Flip edge 1042"
 std::string describe(const MeshEdit& edit);
 
@@ -65,6 +66,9 @@ struct EditedMesh {
   PolygonMesh mesh;
   ElementMap map;  // from the mesh before
 };
+// The same edit of a mesh that `map` leads to. -1 in place of an element that is gone.
+MeshEdit renumbered(const MeshEdit& edit, const ElementMap& map);
+
 // Refused as by may_apply(). O(mesh).
 Result<EditedMesh> apply(const PolygonMesh& mesh, const MeshEdit& edit);
 

@@ -86,6 +86,16 @@ TEST(MeshEdits, AreNamed) {
   EXPECT_EQ(describe(MeshEdit::delete_face(3)), "Delete face 3");
 }
 
+TEST(MeshEdits, HaveAKindThatReportsName) {
+  EXPECT_STREQ(name(EditKind::Flip), "flip");
+  EXPECT_STREQ(name(EditKind::Join), "join");
+  EXPECT_STREQ(name(EditKind::SplitEdge), "split-edge");
+  EXPECT_STREQ(name(EditKind::SplitFace), "split-face");
+  EXPECT_STREQ(name(EditKind::Collapse), "collapse");
+  EXPECT_STREQ(name(EditKind::MoveVertex), "move-vertex");
+  EXPECT_STREQ(name(EditKind::DeleteFace), "delete-face");
+}
+
 TEST(MeshEdits, AreEqualIfTheyDoTheSame) {
   EXPECT_EQ(MeshEdit::flip(3), MeshEdit::flip(3));
   EXPECT_NE(MeshEdit::flip(3), MeshEdit::join(3));
@@ -393,6 +403,38 @@ TEST(ElementMap, ComposesToTheMapOfBothEdits) {
   EXPECT_EQ(both.faces.to_old, (std::vector<int>{1, 2, 3, 4, 5, 6, 7, 8, -1}));
   EXPECT_EQ(composed(both, identity_map(gone.mesh)), both);
   EXPECT_EQ(inverse(inverse(both)), both);
+}
+
+TEST(Renumbered, IsTheSameEditOfTheEditedMesh) {
+  const PolygonMesh mesh = grid(3, 3).mesh();
+  const ElementMap map = edited(mesh, MeshEdit::delete_face(0)).map;  // vertex 0, edges and a face go
+  const int e = mesh.find_edge(9, 10), now = map.edges.to_new[static_cast<size_t>(e)];
+  EXPECT_NE(now, e);
+  const Vector3d to(1, 2, 3);
+  EXPECT_EQ(renumbered(MeshEdit::flip(e), map), MeshEdit::flip(now));
+  EXPECT_EQ(renumbered(MeshEdit::join(e), map), MeshEdit::join(now));
+  EXPECT_EQ(renumbered(MeshEdit::split_edge(e, to), map), MeshEdit::split_edge(now, to));
+  EXPECT_EQ(renumbered(MeshEdit::collapse(e, to), map), MeshEdit::collapse(now, to));
+  EXPECT_EQ(renumbered(MeshEdit::move_vertex(10, to), map), MeshEdit::move_vertex(9, to));
+  EXPECT_EQ(renumbered(MeshEdit::split_face(4, 5, 10), map), MeshEdit::split_face(3, 4, 9));
+  EXPECT_EQ(renumbered(MeshEdit::delete_face(8), map), MeshEdit::delete_face(7));
+  for (const MeshEdit& edit : {MeshEdit::join(e), MeshEdit::split_face(4, 5, 10), MeshEdit::delete_face(8)}) {
+    EXPECT_EQ(renumbered(edit, identity_map(mesh)), edit);
+  }
+}
+
+TEST(Renumbered, HasNoElementWhereItIsGone) {
+  const PolygonMesh mesh = grid(3, 3).mesh();
+  const ElementMap map = edited(mesh, MeshEdit::delete_face(0)).map;
+  const int e = mesh.find_edge(0, 1);
+  EXPECT_EQ(renumbered(MeshEdit::collapse(e), map).element, -1);
+  EXPECT_EQ(renumbered(MeshEdit::move_vertex(0, {1, 2, 3}), map).element, -1);
+  EXPECT_EQ(renumbered(MeshEdit::delete_face(0), map).element, -1);
+  const MeshEdit split = renumbered(MeshEdit::split_face(0, 0, 5), map);
+  EXPECT_EQ(split.element, -1);
+  EXPECT_EQ(split.corners, (std::array{-1, 4}));
+  // What is gone stays gone.
+  EXPECT_EQ(renumbered(split, identity_map(mesh)).element, -1);
 }
 
 }  // namespace
