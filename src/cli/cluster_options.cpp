@@ -36,14 +36,14 @@ void declare_region_options(CLI::App& command, const std::shared_ptr<RegionReque
       ->check(positive_number());
   command
       .add_option("--metric", request->metric,
-                  "'l21': normals alone; 'l2': distances alone (default: normals, with some compactness)")
+                  "'l21': normals alone; 'l2': distances alone (default: both, with some compactness)")
       ->transform(named_choice<MetricChoice>({{"l21", MetricChoice::L21}, {"l2", MetricChoice::L2}}));
   const auto weight = [&](const char* option, std::optional<double>& value, const char* description) {
     command.add_option(option, value, description)->check(finite_number())->check(not_negative());
   };
   weight("--normal", request->normal, "Weight of normals in the metric, over that of --metric (default 1)");
-  weight("--distance", request->distance, "Weight of distances to the planes (default 0)");
-  weight("--compactness", request->compactness, "Weight of round regions (default 0.5, with --metric 0)");
+  weight("--distance", request->distance, "Weight of distances to the planes (default 50)");
+  weight("--compactness", request->compactness, "Weight of round regions (default 0.5; with --metric 0)");
   command
       .add_option("--seeds", request->seeds,
                   "Where regions start: 'farthest' from each other (default), or at 'random' faces")

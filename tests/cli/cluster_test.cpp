@@ -76,6 +76,7 @@ TEST_F(ClusterCommand, MetricsAndSeedsAreTold) {
             Json({{"normal", 0.0}, {"distance", 1.0}, {"compactness", 0.0}}));
   EXPECT_EQ(cluster({"--metric", "l21"})["metric"],
             Json({{"normal", 1.0}, {"distance", 0.0}, {"compactness", 0.0}}));
+  EXPECT_GT(cluster({})["metric"]["distance"].get<double>(), 0.0);
   EXPECT_EQ(cluster({"--distance", "2", "--compactness", "0.1"})["metric"],
             Json({{"normal", 1.0}, {"distance", 2.0}, {"compactness", 0.1}}));
   const Json seven = cluster({"--seed", "7"});
@@ -110,7 +111,8 @@ TEST_F(ClusterCommand, WhatCannotBeIsRefusedWithTheReason) {
   expect_refusal(run({"cluster", two, "-o", out, "--panels", "9"}), 2, {"--panels", "9 panels", "8 faces"});
   expect_refusal(run({"cluster", two, "-o", out, "--panels", "1"}), 2,
                  {"--panels", "2 separate parts", "1 panel"});
-  expect_refusal(run({"cluster", dome, "-o", out, "--panels", "9", "--normal", "0"}), 2, {"--metric"});
+  expect_refusal(run({"cluster", dome, "-o", out, "--panels", "9", "--normal", "0", "--distance", "0"}), 2,
+                 {"--metric"});
   expect_refusal(run({"cluster", dome, "-o", out, "--panels", "9", "--distance", "-1"}), 2, {"negative"});
   expect_refusal(run({"cluster", dome, "-o", out, "--panels", "9", "--compactness", "nan"}), 2, {"finite"});
   expect_refusal(run({"cluster", dome, "-o", out, "--error", "0"}), 2, {"positive"});
