@@ -120,9 +120,13 @@ void solve_panels(const PolygonMesh& mesh, int panels, SolverKind kind) {
   const auto classic = value_of(surface_distance(anchor_points(mesh, regions), regions.corners_of_region,
                                                  mesh.positions(), mesh.faces()));
   const double ratio = distance.rms() / classic.rms();
+  // However panels are solved, each of these regions is at best as near to its plane as that.
+  const Clustering best = value_of(clustering_of(graph, regions.region_of_face, ClusterMetric::l2()));
+  const double least = best.distance_error * graph.length / classic.rms();
   const bool met = planarity <= kPlanar && far <= kFar && ratio <= kRatio;
-  std::printf("  %4d %4d %-8s %8.2f  %-22s %9.1e %6.2f %8.5f %6.3f %7zu %4d  %s\n", panels, regions.count(),
-              name(kind), cpu, name(report.status), planarity, far, distance.rms() / diagonal, ratio,
+  std::printf("  %4d %4d %-8s %8.2f  %-22s %9.1e %6.2f %8.5f %6.3f %6.3f %7zu %7d  %s\n", panels,
+              regions.count(), name(kind), cpu, name(report.status), planarity, far,
+              distance.rms() / diagonal, ratio, least,
               find_self_crossing(solved.points, solved.polygons).size(),
               regions.corners_by_valence().rbegin()->first, met ? "met" : "MISSED");
   std::fflush(stdout);
@@ -137,15 +141,17 @@ void solve_mesh(const std::string& name, const PolygonMesh& mesh, const ClusterB
 
 void measure_panels(const ClusterBenchOptions& options, const std::filesystem::path& meshes) {
   std::printf(
-      "Panels solved with the preset 'proxy-planes'. planar: worst, of the diagonal (<= %g); far: "
-      "farthest\n"
-      "corner from the mesh, mean panel edges (<= %g); rms: distance of panels and mesh, of the diagonal, "
-      "and\n"
-      "over that of the anchor polygons of the same regions, which are not planar (<= %g); crossed: panels "
-      "that\n"
-      "cross themselves; valence: the highest of a corner.\n\n  %4s %4s %-8s %8s  %-22s %9s %6s %8s %6s "
-      "%7s\n",
-      kPlanar, kFar, kRatio, "K", "of", "solver", "CPU s", "", "planar", "far", "rms", "ratio", "crossed");
+      "Panels solved with the preset 'proxy-planes'.\n"
+      "  planar   worst corner off its plane, of the diagonal (<= %g)\n"
+      "  far      farthest corner from the mesh, mean panel edges (<= %g)\n"
+      "  rms      distance of panels and mesh, the larger of both sides, of the diagonal\n"
+      "  ratio    of that and the same of the anchor polygons of these regions, which are not planar (<= "
+      "%g)\n"
+      "  least    the ratio of the regions' distance to their own best planes\n"
+      "  crossed  panels that cross themselves; valence: the highest of a corner\n\n"
+      "  %4s %4s %-8s %8s  %-22s %9s %6s %8s %6s %6s %7s %7s\n",
+      kPlanar, kFar, kRatio, "K", "of", "solver", "CPU s", "", "planar", "far", "rms", "ratio", "least",
+      "crossed", "valence");
   for (const char* file : {"tri/bunny1k.obj", "tri/fertility.off", "tri/feline.obj"}) {
     std::error_code error;
     if (meshes.empty() || !std::filesystem::is_regular_file(meshes / file, error))
