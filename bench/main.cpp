@@ -4,6 +4,7 @@
 //                   of growing size and real meshes: hours, so see --only, --models and --limit
 //   live            from a slider's move to the first planar panels
 //   advice          how well predicted gains of edits rank them, and what rating them costs
+//   cluster         what clustering a mesh costs, anew and while the number of regions is dragged
 //   findings        what finding the bad places of solved panels costs, by detector
 //   warm-start      iterations of Ipopt alone, and from where the tangent solver ended
 //
@@ -23,6 +24,7 @@
 
 #include "advice.h"
 #include "blas_threads.h"
+#include "cluster.h"
 #include "compare.h"
 #include "demands.h"
 #include "findings.h"
@@ -55,6 +57,7 @@ int main(int argc, char** argv) {
       ->check(CLI::PositiveNumber);
   app.require_subcommand(0, 1);
   bench::declare_advice(app);
+  bench::declare_cluster(app);
   bench::declare_compare(app);
   bench::declare_findings(app);
   bench::declare_live(app);

@@ -70,7 +70,9 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     std::map<std::string, std::set<std::string>> r;
     r["core/base"] = {};
     r["core/mesh"] = {"core/base"};
-    r["core/complex"] = {"core/base", "core/mesh"};
+    // Regions are made of a mesh alone; only the builder of complexes knows both.
+    r["core/cluster"] = {"core/base", "core/mesh"};
+    r["core/complex"] = {"core/base", "core/mesh", "core/cluster"};
     r["core/problem"] = {"core/base", "core/mesh", "core/complex"};
     r["core/solve"] = {"core/base", "core/mesh", "core/complex", "core/problem"};
     // Offsets and beams are made of finished states.
@@ -78,8 +80,8 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     // Diagnosis measures complexes and states, whatever made them, and the beams between two.
     r["core/diagnose"] = {"core/base",    "core/mesh",  "core/complex",
                           "core/problem", "core/solve", "core/layers"};
-    r["core/design"] = {"core/base",  "core/mesh",     "core/complex", "core/problem",
-                        "core/solve", "core/diagnose", "core/layers"};
+    r["core/design"] = {"core/base",    "core/mesh",  "core/cluster",  "core/complex",
+                        "core/problem", "core/solve", "core/diagnose", "core/layers"};
     r["core/edit"] = r["core/design"];
     r["core/edit"].insert("core/design");
     r["core/advise"] = r["core/edit"];

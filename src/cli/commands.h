@@ -12,6 +12,7 @@ void add_sample_command(CLI::App& app, ExitStatus& status);
 void add_dual_command(CLI::App& app, ExitStatus& status);
 void add_planarize_command(CLI::App& app, ExitStatus& status);
 void add_panels_command(CLI::App& app, ExitStatus& status);
+void add_cluster_command(CLI::App& app, ExitStatus& status);
 void add_check_command(CLI::App& app, ExitStatus& status);
 void add_diagnose_command(CLI::App& app, ExitStatus& status);
 void add_improve_command(CLI::App& app, ExitStatus& status);

@@ -180,7 +180,8 @@ Result<void> prepare_layers(LayerPlan& plan, const SolveCommandOptions& options,
       return tl::unexpected(std::move(error));
     }
     join_layers(job, static_cast<int>(k), plan.jobs.size());
-    auto complex = build_complex(mesh, settings);
+    job.clustered = plan.clustered;
+    auto complex = build_complex(mesh, settings, plan.clustered ? &plan.clustered->regions : nullptr);
     if (!complex) return tl::unexpected(complex.error());
     job.complex = std::move(*complex);
     if (auto pinned = add_pins(files.pins, *job.complex, settings.demands); !pinned) return pinned;

@@ -11,6 +11,7 @@
 #include "cli/solve_options.h"
 #include "cli/steering.h"
 #include "core/base/result.h"
+#include "core/design/cluster_report.h"
 #include "core/design/layer_settings.h"
 
 namespace planewright::cli {
@@ -23,11 +24,14 @@ struct LayerJob {
   std::string output, offset_output, beams_output;  // empty: not asked for
   int beams_to = -1;                                // an earlier layer; -1: its own parallel offset
   std::shared_ptr<const TangentComplex> complex;    // by prepare_layers
+  std::shared_ptr<const ClusteredMesh> clustered;   // by prepare_layers; null: not of clusters
 };
 
 struct LayerPlan {
   Steering common;
   std::vector<LayerJob> jobs;  // at least one
+  // The regions that all layers are made of, before prepare_layers() for ComplexKind::Cluster; else null.
+  std::shared_ptr<const ClusteredMesh> clustered;
 };
 
 // What needs no mesh: names, options that are texts, files to write. Fails with ErrorCode::Usage or

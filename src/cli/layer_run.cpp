@@ -145,6 +145,7 @@ Result<SolveRecord> run_layer(const std::vector<LayerJob>& jobs, const SolveComm
   if (!planarity) return tl::unexpected(planarity.error());
   record.planarity = *planarity;
   measure(*job.complex, panels, record);
+  if (job.clustered) record.clusters = measure_clusters(*job.clustered, panels);
   record.diagnosis = diagnose(*job.complex, record.solve.state, {}, neighbour_of(job, earlier).get());
 
   earlier.push_back({job.complex, record.solve.state, {}});

@@ -21,6 +21,7 @@ int main(int argc, char** argv) {
   cli::add_dual_command(app, status);
   cli::add_planarize_command(app, status);
   cli::add_panels_command(app, status);
+  cli::add_cluster_command(app, status);
   cli::add_check_command(app, status);
   cli::add_diagnose_command(app, status);
   cli::add_improve_command(app, status);

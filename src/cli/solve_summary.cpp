@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <numbers>
 
+#include "cli/cluster_summary.h"
+
 namespace planewright::cli {
 namespace {
 
@@ -122,6 +124,7 @@ void print_summary(const SolveRecord& record, const std::string& output, const s
     std::printf("energy %s (weight %g): %.6g\n", energy.name.c_str(), energy.weight, energy.value);
   print_demands(record);
   print_diagnosis(record, unit);
+  if (record.clusters) print_clusters(*record.clusters, unit);
   print_construction(record, unit);
 }
 
@@ -150,6 +153,7 @@ ExitStatus judge(const SolveRecord& record) {
                  crossing.size(), crossing.front());
     return kNotMet;
   }
+  if (record.clusters && !error_met(*record.clusters, begin)) return kNotMet;
   if (record.settings.no_penetration && solve.crossings != solve.crossings_waived) {
     if (solve.crossings < 0)
       std::fprintf(stderr, "%swhether panels cross the mesh was not found out\n", begin.c_str());

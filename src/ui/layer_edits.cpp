@@ -39,7 +39,7 @@ const Preset* present_preset(const LayerSettings& settings) {
 }
 
 bool is_defined_for(const DemandInfo& info, ComplexKind mode) {
-  return mode == ComplexKind::Dual ? info.for_dual : info.for_planarize;
+  return info.fits(mode);
 }
 
 std::vector<std::size_t> entries_of(const Demands& demands, const std::string& name) {

@@ -17,6 +17,7 @@ DemandInfo band() {
           "",
           true,
           false,
+          false,
           {{"low", "from", DemandUnit::Length, 0.0}, {"high", "to", DemandUnit::Length, 1.0}},
           nullptr};
 }

@@ -121,6 +121,9 @@ std::vector<char> free_planes(const TangentComplex& complex, const PolygonMesh& 
 }  // namespace
 
 Result<PatchSolver> PatchSolver::create(Advised advised) {
+  if (advised.complex->kind == ComplexKind::Cluster)
+    return fail(ErrorCode::Refused, "edits of the mesh are not rated for panels of clusters", "mode",
+                "Merge, split or paint regions instead");
   PatchSolver solver;
   FrozenGeometry frozen{&advised.state, advised.reference, nullptr, {}};
   const auto whole = build_problem(advised.complex, advised.settings, advised.selections, frozen);

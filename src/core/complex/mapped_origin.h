@@ -6,9 +6,19 @@
 
 namespace planewright {
 
-// What planes, or points, of a kind stand for.
+// What planes, or points, of a kind stand for. Regions of a cluster are no elements of the mesh, and are
+// found anew when it is edited: none of them is mapped.
 inline const IndexMap& plane_origins(const ElementMap& edited, ComplexKind kind) {
-  return kind == ComplexKind::Dual ? edited.vertices : edited.faces;
+  static const IndexMap none;
+  switch (kind) {
+    case ComplexKind::Dual:
+      return edited.vertices;
+    case ComplexKind::Planarize:
+      return edited.faces;
+    case ComplexKind::Cluster:
+      break;
+  }
+  return none;
 }
 inline const IndexMap& point_origins(const ElementMap& edited, PointKind kind) {
   switch (kind) {

@@ -19,8 +19,9 @@ State initial_state(const TangentComplex& complex);
 
 // A start for `to` from a state of `from`: planes and points with the same origin are taken over; new ones,
 // and points whose planes changed (an edge was flipped), start where `to` prefers them. A plane whose vertex
-// or face moved stays where it was in space. Works for any two complexes of one mesh, or (edited not null) of
-// a mesh and what edits made of it; `edited` maps from the mesh of `from` to that of `to`.
+// or face moved stays where it was in space. Planes of clusters are taken over by the corners that they
+// share. Works for any two complexes of one mesh, or (edited not null) of a mesh and what edits made of it;
+// `edited` maps from the mesh of `from` to that of `to`.
 State transfer(const TangentComplex& from, const State& state, const TangentComplex& to,
                const ElementMap* edited = nullptr);
 

@@ -1,6 +1,6 @@
 // TangentComplex: planes, points, and which point lies on which plane. The one structure behind all
 // applications
-// ([Zimmer et al.], sections 2 and 4); only the builder differs (dual.h, planarize.h).
+// ([Zimmer et al.], sections 2 and 4); only the builder differs (dual.h, planarize.h, cluster.h).
 //
 //   plane i: { x : n_i . (x - v_i) = h_i }, anchor v_i, unit normal n_i, signed offset h_i along n_i
 //   point j: wanted position f_j; has to lie on each of its planes (its valence is their number, >= 1)
@@ -21,14 +21,14 @@
 
 namespace planewright {
 
-enum class ComplexKind { Dual, Planarize };
+enum class ComplexKind { Dual, Planarize, Cluster };
 
 // What a point stands for in the mesh that the complex was built from.
 enum class PointKind {
   Face,        // dual: a primal face                      element = face
   BorderEdge,  // dual, closed border: a primal border edge   element = edge
   Corner,      // dual, closed border: a primal border vertex element = vertex
-  Vertex,      // planarize: a vertex                      element = vertex
+  Vertex,      // planarize: a vertex; cluster: a corner of regions   element = vertex
 };
 struct PointOrigin {
   PointKind kind;
@@ -49,7 +49,7 @@ struct InputSurface {
   Points vertices;        // #V x 3
   Points vertex_normals;  // #V x 3, unit, area-weighted
   Polygons faces;
-  Points face_normals;  // #F x 3, unit
+  Points face_normals;                    // #F x 3, unit
   std::vector<std::array<int, 2>> edges;  // #E, the vertices at both ends
 };
 
@@ -60,7 +60,7 @@ struct TangentComplex {
   Points anchors;                 // #P x 3, v_i
   Points normals;                 // #P x 3, unit, at the start
   Vector offsets;                 // #P, h_i at the start
-  std::vector<int> plane_origin;  // #P: dual: primal vertex; planarize: face
+  std::vector<int> plane_origin;  // #P: dual: primal vertex; planarize: face; cluster: region
 
   Points preferred;                       // #X x 3, f_j
   std::vector<PointOrigin> point_origin;  // #X
@@ -70,12 +70,13 @@ struct TangentComplex {
   std::vector<PanelEdge> panel_edges;
 
   InputSurface input;
-  // Dual: the mesh face that a point belongs to, a border point to its one face; -1 for corners. Planarize:
-  // -1.
+  // Dual: the mesh face that a point belongs to, a border point to its one face; -1 for corners. Others: -1.
   std::vector<int> face_of_point;  // #X
   // Dual: the mesh vertices {i, j} of the mesh edge that a panel edge crosses; the outline of i's panel runs
-  // a -> b, that of j's b -> a, whether or not they have a panel. {-1, -1}: along the border, and planarize.
+  // a -> b, that of j's b -> a, whether or not they have a panel. {-1, -1}: along the border, and others.
   std::vector<std::array<int, 2>> crossed_edge;  // #panel_edges
+  // Cluster: the region (= plane) of each mesh face. Others: empty.
+  std::vector<int> region_of_face;  // #F
 
   // Mean length of the panel edges at the preferred positions: "one edge", the unit of weights, margins and
   // tolerances. 1 if there is no panel edge of positive length.

@@ -1,5 +1,6 @@
 #include "core/design/design.h"
 
+#include "core/complex/cluster.h"
 #include "core/complex/planarize.h"
 
 namespace planewright {
@@ -12,13 +13,19 @@ ComplexKind suggested_mode(const PolygonMesh& mesh) {
 }
 
 Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& mesh,
-                                                            const LayerSettings& settings) {
+                                                            const LayerSettings& settings,
+                                                            const Regions* regions) {
   const auto share = [](TangentComplex&& complex) {
     return std::make_shared<const TangentComplex>(std::move(complex));
   };
   switch (settings.mode) {
     case ComplexKind::Planarize:
       return build_planarize(mesh, {settings.offset}).map(share);
+    case ComplexKind::Cluster:
+      if (!regions)
+        return fail(ErrorCode::Usage, "panels of clusters need a clustering of the mesh", "mode",
+                    "Cluster the mesh first");
+      return build_cluster(mesh, *regions, {settings.offset}).map(share);
     case ComplexKind::Dual:
       break;
   }

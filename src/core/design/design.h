@@ -5,22 +5,27 @@
 #include <memory>
 
 #include "core/base/result.h"
+#include "core/design/layer_settings.h"
 #include "core/mesh/polygon_mesh.h"
 #include "core/problem/problem.h"
-#include "core/design/layer_settings.h"
 #include "core/solve/solver.h"
 
 namespace planewright {
+
+struct Regions;
 
 // What a mesh is most likely meant for: its dual if most faces are triangles (they are planar as they are),
 // else its own faces made planar.
 ComplexKind suggested_mode(const PolygonMesh& mesh);
 
-// Builds the complex that settings.mode names. Fails as the builders do.
+// Builds the complex that settings.mode names. regions: those of the mesh, for ComplexKind::Cluster. Fails as
+// the builders do; ErrorCode::Usage for clusters without regions.
 Result<std::shared_ptr<const TangentComplex>> build_complex(const PolygonMesh& mesh,
-                                                            const LayerSettings& settings);
+                                                            const LayerSettings& settings,
+                                                            const Regions* regions = nullptr);
 
-// Whether both settings lead to the same complex for one mesh, so that it need not be built again.
+// Whether both settings lead to the same complex for one mesh (and the same regions of it), so that it need
+// not be built again.
 bool same_complex(const LayerSettings& a, const LayerSettings& b);
 
 // Fails as Problem::create does. selections: those that the demands name.

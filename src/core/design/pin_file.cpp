@@ -135,7 +135,10 @@ std::string describe(const PointOrigin& origin) {
 const char* points_there_are(ComplexKind kind) {
   return kind == ComplexKind::Dual
              ? "A dual has a point for each face, border edge and border vertex ('corner')"
-             : "When planarizing there is a point at each vertex that a face uses";
+         : kind == ComplexKind::Planarize
+             ? "When planarizing there is a point at each vertex that a face uses"
+             : "Panels of clusters have a point at each vertex that is a corner of three regions, or of two "
+               "at the border";
 }
 
 }  // namespace
@@ -200,21 +203,25 @@ Result<void> add_pins(const PinFile& file, const TangentComplex& complex, Demand
   std::map<int, const PinFile::Plane*> plane_lines;
   for (const PinFile::Plane& line : file.planes) {
     const auto& origins = complex.plane_origin;
-    if (line.of_vertex != of_vertices ||
-        std::find(origins.begin(), origins.end(), line.element) == origins.end())
-      return fail(
-          ErrorCode::Unreadable,
-          "these panels have none of " + std::string(line.of_vertex ? "vertex " : "face ") +
-              std::to_string(line.element),
-          line.where,
-          of_vertices ? "The panels of a dual belong to vertices" : "When planarizing, panels are the faces");
-    if (const auto [before, is_new] = plane_lines.insert({line.element, &line});
+    // Of clusters a panel is named by any face of its region.
+    const int origin = complex.kind == ComplexKind::Cluster && !line.of_vertex
+                           ? complex.region_of_face[static_cast<size_t>(line.element)]
+                           : line.element;
+    if (line.of_vertex != of_vertices || std::find(origins.begin(), origins.end(), origin) == origins.end())
+      return fail(ErrorCode::Unreadable,
+                  "these panels have none of " + std::string(line.of_vertex ? "vertex " : "face ") +
+                      std::to_string(line.element),
+                  line.where,
+                  of_vertices                              ? "The panels of a dual belong to vertices"
+                  : complex.kind == ComplexKind::Planarize ? "When planarizing, panels are the faces"
+                                                           : "Name a face of the region");
+    if (const auto [before, is_new] = plane_lines.insert({origin, &line});
         !is_new && before->second->plane != line.plane)
       return fail(ErrorCode::Infeasible,
                   "the pins of " + before->second->where + " and " + line.where +
                       " hold one panel in different planes",
                   line.where, "Remove one of the two");
-    added.plane_pins.push_back({line.element, line.plane});
+    added.plane_pins.push_back({origin, line.plane});
   }
   demands = std::move(added);
   return {};

@@ -22,6 +22,7 @@ Preset figure_five(const char* letters) {
           "4.1, figure 5",
           false,
           true,
+          true,
           {{"position", weight(0)},
            {"edge-direction", weight(1)},
            {"edge-length", weight(2)},
@@ -37,12 +38,14 @@ std::vector<Preset> make_presets() {
        "2.1",
        true,
        true,
+       true,
        {{"position", 1.0}},
        {}},
       {"even-panels",
        "Even panels",
        "Panels of like size and regular shape, a little off the design.",
        "4.3",
+       true,
        true,
        true,
        {{"position", 1.0}, {"fairing", 1.0}},
@@ -54,12 +57,14 @@ std::vector<Preset> make_presets() {
        "4.3, figure 7",
        true,
        true,
+       true,
        {{"position", 0.1}, {"normal-smoothness", 1.0}},
        {}},
       {"faceted-shell",
        "Faceted shell",
        "Flat patches of regular panels between sharp creases.",
        "4.3, figure 7",
+       true,
        true,
        true,
        {{"position", 0.1}, {"fairing", 1.0}},
@@ -70,7 +75,17 @@ std::vector<Preset> make_presets() {
        "ours",
        true,
        true,
+       true,
        {{"position", 0.05}, {"closeness", 1.0}},
+       {}},
+      {"proxy-planes",
+       "Proxy planes",
+       "Panels stay in the planes that fit the design best; corners go where these meet, near the design.",
+       "4.2",
+       false,
+       true,
+       true,
+       {{"position", 0.05}, {"proxy-normal", 1.0}, {"offset", 10.0}},
        {}},
       {"uncrossed",
        "Uncrossed quads",
@@ -78,6 +93,7 @@ std::vector<Preset> make_presets() {
        "ours",
        false,
        true,
+       false,
        {{"position", 1.0}},
        {{"uncrossed", true, {}, {}}}},
   };
@@ -108,11 +124,12 @@ Result<void> apply(const Preset& preset, LayerSettings& settings) {
     std::string fitting;
     for (const Preset& other : presets())
       if (other.fits(settings.mode)) fitting += (fitting.empty() ? "" : ", ") + other.name;
-    const bool dual = settings.mode == ComplexKind::Dual;
-    return fail(
-        ErrorCode::Usage,
-        "the preset '" + preset.name + "' means nothing " + (dual ? "for a dual" : "when planarizing"),
-        "presets", "These fit: " + fitting);
+    return fail(ErrorCode::Usage,
+                "the preset '" + preset.name + "' means nothing " +
+                    (settings.mode == ComplexKind::Dual        ? "for a dual"
+                     : settings.mode == ComplexKind::Planarize ? "when planarizing"
+                                                               : "for panels of clusters"),
+                "presets", "These fit: " + fitting);
   }
   settings.weights = preset.weights;
   for (const Demand& demand : preset.demands) set_demand(settings.demands.list, demand);

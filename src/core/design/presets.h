@@ -17,10 +17,14 @@ struct Preset {
   std::string label;        // "Smooth shell"
   std::string description;  // one sentence for a designer
   std::string source;       // paper section or figure; "ours"
-  bool for_dual, for_planarize;
+  bool for_dual, for_planarize, for_cluster;
   std::map<std::string, double> weights;  // of all energies: one that is missing is 0
   std::vector<Demand> demands;            // switched on; others stay as they are
-  bool fits(ComplexKind mode) const { return mode == ComplexKind::Dual ? for_dual : for_planarize; }
+  bool fits(ComplexKind mode) const {
+    return mode == ComplexKind::Dual        ? for_dual
+           : mode == ComplexKind::Planarize ? for_planarize
+                                            : for_cluster;
+  }
 };
 
 // In the order in which the window and messages list them.

@@ -50,8 +50,9 @@ Vector3d middle(const Points& points, const Crossing& crossing) {
 
 void add_turned_over(const Subject& subject, double threshold, std::vector<Finding>& found) {
   const TangentComplex& complex = subject.complex;
-  const bool dual = complex.kind == ComplexKind::Dual;
-  const Points& outwards = dual ? complex.input.vertex_normals : complex.input.face_normals;
+  const Points& outwards = complex.kind == ComplexKind::Dual        ? complex.input.vertex_normals
+                           : complex.kind == ComplexKind::Planarize ? complex.input.face_normals
+                                                                    : complex.normals;
   for (int p = 0; p < complex.panels.size(); ++p) {
     const Vector3d normal = subject.state.n.row(p);
     const double area = 0.5 * normal.dot(newell_vector(subject.state.x, complex.panels[p]));

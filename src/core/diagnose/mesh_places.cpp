@@ -16,6 +16,28 @@ MeshPlaces::MeshPlaces(const TangentComplex& complex) : complex_(complex) {
     for (const size_t end : {0, 1})
       spokes_[static_cast<size_t>(next[static_cast<size_t>(edges[e][end])]++)] = {edges[e][1 - end],
                                                                                   static_cast<int>(e)};
+  if (complex.kind != ComplexKind::Cluster) return;
+  std::vector<std::array<int, 2>> regions(edges.size(), {-1, -1});
+  for (int f = 0; f < complex.input.faces.size(); ++f)
+    for (const int edge : round_face(f)) {
+      auto& [first, second] = regions[static_cast<size_t>(edge)];
+      (first < 0 ? first : second) = complex.region_of_face[static_cast<size_t>(f)];
+    }
+  for (size_t e = 0; e < edges.size(); ++e) {
+    const auto [a, b] = regions[e];
+    if (a == b) continue;
+    if (a >= 0) outlines_.push_back({a, b, static_cast<int>(e)});
+    if (b >= 0) outlines_.push_back({b, a, static_cast<int>(e)});
+  }
+  std::sort(outlines_.begin(), outlines_.end());
+}
+
+std::vector<int> MeshPlaces::between_regions(int a, int b) const {
+  std::vector<int> edges;
+  for (auto at = std::lower_bound(outlines_.begin(), outlines_.end(), Outline{a, b, -1});
+       at != outlines_.end() && at->region == a && at->beside == b; ++at)
+    edges.push_back(at->edge);
+  return edges;
 }
 
 int MeshPlaces::find_edge(int a, int b) const {
@@ -40,6 +62,10 @@ std::vector<int> MeshPlaces::round_face(int f) const {
 }
 
 std::vector<int> MeshPlaces::of_panel_edge(int panel_edge) const {
+  if (complex_.kind == ComplexKind::Cluster) {
+    const PanelEdge& edge = complex_.panel_edges[static_cast<size_t>(panel_edge)];
+    return edge.left >= 0 ? between_regions(edge.left, edge.right) : between_regions(edge.right, edge.left);
+  }
   std::array<int, 2> ends = complex_.crossed_edge[static_cast<size_t>(panel_edge)];
   if (complex_.kind == ComplexKind::Planarize) {
     const PanelEdge& edge = complex_.panel_edges[static_cast<size_t>(panel_edge)];
@@ -53,7 +79,13 @@ std::vector<int> MeshPlaces::of_panel_edge(int panel_edge) const {
 
 std::vector<int> MeshPlaces::of_panel(int panel) const {
   const int origin = complex_.plane_origin[static_cast<size_t>(panel)];
-  return complex_.kind == ComplexKind::Dual ? round_vertex(origin) : round_face(origin);
+  if (complex_.kind == ComplexKind::Dual) return round_vertex(origin);
+  if (complex_.kind == ComplexKind::Planarize) return round_face(origin);
+  std::vector<int> edges;
+  for (auto at = std::lower_bound(outlines_.begin(), outlines_.end(), Outline{origin, -1, -1});
+       at != outlines_.end() && at->region == origin; ++at)
+    edges.push_back(at->edge);
+  return united(std::move(edges), {});
 }
 
 std::vector<int> MeshPlaces::of_point(int point) const {

@@ -59,6 +59,9 @@ bool could_be_convex(const TangentComplex& complex, int panel, double least_defe
   if (complex.kind == ComplexKind::Planarize)
     return worst_reflex(input.vertices, input.faces[origin], input.face_normals.row(origin), 0.0).degrees <
            kInputReflex;
+  if (complex.kind == ComplexKind::Cluster)
+    return worst_reflex(complex.preferred, complex.panels[panel], complex.normals.row(panel), 0.0).degrees <
+           kInputReflex;
   double sum = 0.0;
   for (const int j : complex.panels[panel]) {
     const PointOrigin& point = complex.point_origin[static_cast<size_t>(j)];
@@ -86,7 +89,9 @@ std::vector<Finding> find_not_convex_panels(const Subject& subject, double thres
     found.back().cause =
         complex.kind == ComplexKind::Dual
             ? "it has a reflex corner, although the design bulges here and allows a convex one"
-            : "it has a reflex corner, although the face of the design is convex";
+        : complex.kind == ComplexKind::Planarize
+            ? "it has a reflex corner, although the face of the design is convex"
+            : "it has a reflex corner, although the corners of its region are convex";
     found.back().mesh_edges = subject.mesh.of_panel(p);
   }
   return found;

@@ -83,6 +83,7 @@ PanelNumbers::PanelNumbers(const PolygonMesh& opened) {
 }
 
 int PanelNumbers::number(ComplexKind kind, BorderPolicy border, const ElementIds& ids, int origin) const {
+  if (kind == ComplexKind::Cluster) return origin;  // regions have no other names
   const std::vector<int>& of_kind = kind == ComplexKind::Dual ? ids.vertices : ids.faces;
   if (origin < 0 || origin >= static_cast<int>(of_kind.size())) return -1;
   const int id = of_kind[static_cast<std::size_t>(origin)];

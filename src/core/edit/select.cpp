@@ -95,6 +95,13 @@ int element_count(const Selection& selection) {
 
 Selection named_panels(const TangentComplex& complex, const std::vector<int>& panels) {
   Selection out;
+  if (complex.kind == ComplexKind::Cluster) {
+    std::vector<char> in(static_cast<std::size_t>(complex.plane_count()), 0);
+    for (const int panel : panels) in[static_cast<std::size_t>(panel)] = 1;
+    for (std::size_t f = 0; f < complex.region_of_face.size(); ++f)
+      if (in[static_cast<std::size_t>(complex.region_of_face[f])]) out.faces.push_back(static_cast<int>(f));
+    return out;
+  }
   auto& list = complex.kind == ComplexKind::Dual ? out.vertices : out.faces;
   for (const int panel : panels) list.push_back(complex.plane_origin[static_cast<std::size_t>(panel)]);
   sort_unique(list);
@@ -124,8 +131,18 @@ Selection named_points(const TangentComplex& complex, const std::vector<int>& po
 }
 
 std::vector<int> panels_named(const TangentComplex& complex, const Selection& selection) {
-  const auto& list = complex.kind == ComplexKind::Dual ? selection.vertices : selection.faces;
   std::vector<int> panels;
+  if (complex.kind == ComplexKind::Cluster) {
+    if (selection.faces.empty()) return panels;
+    std::vector<char> whole(static_cast<std::size_t>(complex.plane_count()), 1);
+    for (std::size_t f = 0; f < complex.region_of_face.size(); ++f)
+      if (!std::binary_search(selection.faces.begin(), selection.faces.end(), static_cast<int>(f)))
+        whole[static_cast<std::size_t>(complex.region_of_face[f])] = 0;
+    for (int i = 0; i < complex.plane_count(); ++i)
+      if (whole[static_cast<std::size_t>(i)]) panels.push_back(i);
+    return panels;
+  }
+  const auto& list = complex.kind == ComplexKind::Dual ? selection.vertices : selection.faces;
   for (int i = 0; i < complex.plane_count() && !list.empty(); ++i) {
     if (std::binary_search(list.begin(), list.end(), complex.plane_origin[static_cast<std::size_t>(i)])) {
       panels.push_back(i);

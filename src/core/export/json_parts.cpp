@@ -9,7 +9,15 @@ Json heading(const std::string& input) {
 }
 
 const char* key(ComplexKind kind) {
-  return kind == ComplexKind::Dual ? "dual" : "planarize";
+  switch (kind) {
+    case ComplexKind::Dual:
+      return "dual";
+    case ComplexKind::Planarize:
+      return "planarize";
+    case ComplexKind::Cluster:
+      break;
+  }
+  return "cluster";
 }
 
 Json element_json(const ElementRef& element) {

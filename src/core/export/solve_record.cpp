@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/export/cluster_json.h"
 #include "core/export/json_parts.h"
 #include "core/problem/constraint.h"
 #include "core/problem/demands/demand_catalogue.h"
@@ -147,6 +148,7 @@ void add_outcome(Json& json, const SolveRecord& record) {
   json["crossings_waived"] = solve.crossings < 0 ? Json() : Json(solve.crossings_waived);
   if (!record.layer.empty()) json["crosses"] = crosses_json(record.crosses);
   json["diagnosis"] = diagnosis_json(record);
+  if (record.clusters) json["cluster"] = cluster_json(*record.clusters);
   if (record.offset_layer) json["parallel_offset"] = offset_json(*record.offset_layer);
   if (record.beams)
     json["beams"] = {{"file", record.beams->file},

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/design/cluster_report.h"
 #include "core/design/layer_settings.h"
 #include "core/diagnose/diagnosis.h"
 #include "core/diagnose/ill_determined.h"
@@ -60,6 +61,7 @@ struct SolveRecord {
   std::vector<int> self_crossing;  // panels
   std::vector<ShortEdge> short_edges;
   Diagnosis diagnosis;
+  std::optional<ClusterReport> clusters;  // of panels of clusters
   std::optional<OffsetRecord> offset_layer;
   std::optional<BeamsRecord> beams;
   LayerCrossings crosses;  // of the panels with those of each other layer of the run

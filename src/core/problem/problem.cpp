@@ -173,12 +173,15 @@ Result<void> Problem::add_demands(const ProblemSettings& settings, const FrozenG
     if (!demand.on) continue;
     const auto info = find_demand(demand.name);
     if (!info) return tl::unexpected(info.error());
-    const bool dual = complex_->kind == ComplexKind::Dual;
-    if (!(dual ? (*info)->for_dual : (*info)->for_planarize))
-      return fail(
-          ErrorCode::Usage,
-          "the demand '" + demand.name + "' means nothing " + (dual ? "for a dual" : "when planarizing"),
-          "demands", dual ? "Planarize a polygon mesh instead" : "Make a dual instead");
+    if (!(*info)->fits(complex_->kind)) {
+      const bool dual = complex_->kind == ComplexKind::Dual;
+      return fail(ErrorCode::Usage,
+                  "the demand '" + demand.name + "' means nothing " +
+                      (dual                                       ? "for a dual"
+                       : complex_->kind == ComplexKind::Planarize ? "when planarizing"
+                                                                  : "for panels of clusters"),
+                  "demands", dual ? "Planarize a polygon mesh instead" : "Make a dual instead");
+    }
     const Selection* selection = nullptr;
     if (!demand.selection.empty()) {
       const auto found = std::find_if(settings.selections.begin(), settings.selections.end(),

@@ -5,8 +5,10 @@
 #include <algorithm>
 
 #include "core/advise/candidates.h"
+#include "core/complex/cluster.h"
 #include "core/diagnose/diagnosis.h"
 #include "support/advised.h"
+#include "support/clusters.h"
 #include "support/complexes.h"
 
 namespace planewright {
@@ -193,6 +195,23 @@ TEST(PatchSolver, AnEditThatTheMeshRefusesFails) {
   const auto trial = solver.attempt(ground, MeshEdit::flip(border));
   ASSERT_FALSE(trial);
   EXPECT_EQ(trial.error().code, ErrorCode::Refused);
+}
+
+TEST(PatchSolver, RefusesPanelsOfClusters) {
+  const PolygonMesh mesh = test::sphere(6).mesh();
+  const FaceGraph graph = test::graph_of(mesh);
+  ClusterOptions options;
+  options.panels = 12;
+  const Regions regions = make_regions(graph, cluster(graph, options).value()).value();
+  Advised advised;
+  advised.mesh = std::make_shared<const PolygonMesh>(mesh);
+  advised.complex = std::make_shared<const TangentComplex>(build_cluster(mesh, regions).value());
+  advised.state = initial_state(*advised.complex);
+  advised.settings.mode = ComplexKind::Cluster;
+  const auto solver = PatchSolver::create(advised);
+  ASSERT_FALSE(solver);
+  EXPECT_EQ(solver.error().code, ErrorCode::Refused);
+  EXPECT_NE(solver.error().text().find("clusters"), std::string::npos);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ TEST(Presets, NameOnlyWhatThereIs) {
     EXPECT_TRUE(names.insert(preset.name).second) << preset.name << " stands there twice";
     EXPECT_FALSE(preset.label.empty() || preset.source.empty()) << preset.name;
     EXPECT_EQ(preset.description.back(), '.') << preset.name;
-    EXPECT_TRUE(preset.for_dual || preset.for_planarize) << preset.name;
+    EXPECT_TRUE(preset.for_dual || preset.for_planarize || preset.for_cluster) << preset.name;
     EXPECT_FALSE(preset.weights.empty()) << preset.name;
     for (const auto& [name, weight] : preset.weights) {
       EXPECT_TRUE(find_energy(name)) << preset.name << " weighs " << name;
@@ -27,6 +27,7 @@ TEST(Presets, NameOnlyWhatThereIs) {
       ASSERT_TRUE(info) << preset.name << " demands " << demand.name;
       EXPECT_TRUE(!preset.for_dual || (*info)->for_dual) << preset.name;
       EXPECT_TRUE(!preset.for_planarize || (*info)->for_planarize) << preset.name;
+      EXPECT_TRUE(!preset.for_cluster || (*info)->for_cluster) << preset.name;
       EXPECT_TRUE(demand.on) << preset.name;
     }
   }

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 
+#include "core/complex/cluster.h"
 #include "core/complex/dual.h"
 #include "core/complex/planarize.h"
+#include "core/edit/element_names.h"
 #include "core/mesh/sample_shapes.h"
+#include "support/clusters.h"
 #include "support/shapes.h"
 
 namespace planewright {
@@ -258,6 +261,25 @@ TEST(Select, PanelsAndPointsAreNamedAndFoundAgain) {
   const TangentComplex faces = build_planarize(mesh).value();
   EXPECT_EQ(named_panels(faces, {5}).faces, std::vector<int>{faces.plane_origin[5]});
   EXPECT_EQ(points_named(faces, named_points(faces, {9})), std::vector<int>{9});
+}
+
+TEST(Select, PanelsOfClustersAreAllFacesOfTheirRegions) {
+  const PolygonMesh mesh = test::sphere(6).mesh();
+  const FaceGraph graph = test::graph_of(mesh);
+  ClusterOptions options;
+  options.panels = 12;
+  const Regions regions = make_regions(graph, cluster(graph, options).value()).value();
+  const TangentComplex complex = build_cluster(mesh, regions).value();
+  Selection named = named_panels(complex, {3, 5});
+  EXPECT_EQ(panels_named(complex, named), (std::vector<int>{3, 5}));
+  for (int f = 0; f < mesh.face_count(); ++f) {
+    const int r = regions.region_of_face[f];
+    EXPECT_EQ(std::binary_search(named.faces.begin(), named.faces.end(), f), r == 3 || r == 5);
+  }
+  std::erase_if(named.faces, [&](int f) { return f == named.faces.front(); });
+  EXPECT_EQ(panels_named(complex, named).size(), 1u);
+  EXPECT_TRUE(panels_named(complex, {}).empty());
+  EXPECT_EQ(PanelNumbers(mesh).number(ComplexKind::Cluster, BorderPolicy::Closed, {}, 5), 5);
 }
 
 }  // namespace

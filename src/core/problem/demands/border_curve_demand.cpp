@@ -23,7 +23,8 @@ class BorderRows {
  public:
   explicit BorderRows(const DemandContext& context) : context_(context), complex_(context.complex) {}
 
-  void planarize() {
+  // Points at vertices of the mesh: planarize and cluster.
+  void at_vertices() {
     for (const std::vector<int>& outline : outlines(complex_)) {
       const OutlineCurve curve(complex_.preferred, outline);
       std::vector<int> on(outline.size(), -1);  // the piece that each corner slides on
@@ -128,8 +129,8 @@ class BorderRows {
 
 Result<Constraints> make_border_curve_demand(const DemandContext& context) {
   BorderRows rows(context);
-  if (context.complex.kind == ComplexKind::Planarize)
-    rows.planarize();
+  if (context.complex.kind != ComplexKind::Dual)
+    rows.at_vertices();
   else if (auto closed = rows.dual(); !closed)
     return tl::unexpected(closed.error());
   return rows.take();

@@ -30,10 +30,15 @@ struct DemandInfo {
   std::string label;        // "Offset band"
   std::string description;  // one sentence for a designer
   std::string source;       // paper section
-  bool for_dual, for_planarize;
+  bool for_dual, for_planarize, for_cluster;
   std::vector<DemandParameter> parameters;
   // Fails with ErrorCode::Usage or Infeasible: values that make no sense (an empty band), no neighbour layer.
   Result<Constraints> (*make)(const DemandContext& context);
+  bool fits(ComplexKind kind) const {
+    return kind == ComplexKind::Dual        ? for_dual
+           : kind == ComplexKind::Planarize ? for_planarize
+                                            : for_cluster;
+  }
 };
 
 const std::vector<DemandInfo>& demand_catalogue();

@@ -90,7 +90,9 @@ Result<std::unique_ptr<Constraint>> make_plane_pin_constraint(const TangentCompl
   for (size_t p = 0; p < demands.plane_pins.size(); ++p) {
     const PlanePin& pin = demands.plane_pins[p];
     const std::string where = std::string("plane pin ").append(std::to_string(p + 1));
-    const std::string panel = (complex.kind == ComplexKind::Dual ? "the panel of vertex " : "face ") +
+    const std::string panel = (complex.kind == ComplexKind::Dual        ? "the panel of vertex "
+                               : complex.kind == ComplexKind::Planarize ? "face "
+                                                                        : "region ") +
                               std::to_string(pin.panel_origin);
     const auto plane = plane_of.find(pin.panel_origin);
     if (plane == plane_of.end())

@@ -60,7 +60,7 @@ TriangleCentre star_centre(const TangentComplex& complex, int panel, double eps)
     largest = value;
     best = candidate;
   };
-  if (complex.kind == ComplexKind::Dual && !many) consider(anchor);
+  if (complex.kind != ComplexKind::Planarize && !many) consider(anchor);
   for (int point : corners) consider({{point}});
   return best;
 }

@@ -1,0 +1,65 @@
+// planewright-cli cluster IN -o OUT --panels K: a fine mesh becomes a few planar panels.
+#include <chrono>
+#include <cstdio>
+#include <memory>
+#include <utility>
+
+#include "cli/cluster_options.h"
+#include "cli/commands.h"
+#include "cli/design_files.h"
+#include "cli/layer_jobs.h"
+#include "cli/layer_series.h"
+#include "cli/solve_options.h"
+#include "core/mesh/mesh_io.h"
+
+namespace planewright::cli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr const char* kPreset = "proxy-planes";
+
+Result<ExitStatus> run(const SolveCommandOptions& options, const RegionRequest& request) {
+  const auto begun = Clock::now();
+  auto plan = plan_layers(options);
+  if (!plan) return tl::unexpected(plan.error());
+  if (auto checked = check_files(options, *plan); !checked) return tl::unexpected(checked.error());
+
+  auto loaded = load_mesh(options.input);
+  if (!loaded) return tl::unexpected(loaded.error());
+  if (!loaded->health.healthy())
+    std::fprintf(stderr, "planewright-cli: note: %s: %s\n", options.input.c_str(),
+                 loaded->health.summary().c_str());
+  const auto mesh = std::make_shared<const PolygonMesh>(std::move(loaded->mesh));
+  const auto files = read_design_files(options, *mesh);
+  if (!files) return tl::unexpected(files.error());
+  const auto regions = cluster_options(request, mesh->face_count());
+  if (!regions) return tl::unexpected(regions.error());
+  auto clustered = cluster_mesh(mesh, *regions);
+  if (!clustered) return tl::unexpected(as_given(clustered.error()));
+  plan->clustered = std::move(*clustered);
+  if (auto prepared = prepare_layers(*plan, options, ComplexKind::Cluster, *files, *mesh); !prepared)
+    return tl::unexpected(prepared.error());
+  note_idle_reference(*plan, options);
+  const double seconds_build = std::chrono::duration<double>(Clock::now() - begun).count();
+  return solve_layers(*plan, options, *files, loaded->health, seconds_build);
+}
+
+}  // namespace
+
+void add_cluster_command(CLI::App& app, ExitStatus& status) {
+  auto options = std::make_shared<SolveCommandOptions>();
+  auto request = std::make_shared<RegionRequest>();
+  options->settings.mode = ComplexKind::Cluster;
+  auto* command = app.add_subcommand("cluster", "A few planar panels, each for a region of a fine mesh");
+  declare_region_options(*command, request);
+  declare_solve_options(*command, options);
+  command->callback([options, request, &status] {
+    // Positions alone would let corners pull panels out of the planes that fit their regions.
+    if (options->preset.empty() && !options->explicit_points) options->preset = kPreset;
+    const auto result = run(*options, *request);
+    status = result ? *result : report(result.error());
+  });
+}
+
+}  // namespace planewright::cli
