@@ -33,6 +33,22 @@ target_link_libraries(cgal_kernel INTERFACE Boost::headers)
 target_compile_definitions(cgal_kernel INTERFACE CGAL_DISABLE_GMP CGAL_LICENSE_ERROR)
 target_compile_options(cgal_kernel INTERFACE -frounding-math)
 
+# Writers of the workshop's files, and the readers of its certificate, none of which is one of the writers.
+pkg_check_modules(CAIRO REQUIRED IMPORTED_TARGET cairo)
+pkg_check_modules(PUGIXML REQUIRED IMPORTED_TARGET pugixml)
+pkg_check_modules(LIB3MF REQUIRED IMPORTED_TARGET lib3MF)
+find_path(TINYGLTF_INCLUDE_DIR tiny_gltf.h REQUIRED)
+pkg_check_modules(DIME REQUIRED IMPORTED_TARGET dime)
+pkg_check_modules(LIBXML2 REQUIRED IMPORTED_TARGET libxml-2.0)
+pkg_check_modules(QPDF REQUIRED IMPORTED_TARGET libqpdf)
+find_library(TINYOBJLOADER_DOUBLE_LIBRARY tinyobjloader_double REQUIRED)
+pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
+
+# Nesting: headers, on Clipper and NLopt.
+find_path(LIBNEST2D_INCLUDE_DIR libnest2d/libnest2d.hpp REQUIRED)
+pkg_check_modules(CLIPPER REQUIRED IMPORTED_TARGET polyclipping)
+pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
+
 # Rendering without a display (EGL) and in the window.
 pkg_check_modules(EPOXY REQUIRED IMPORTED_TARGET epoxy)
 pkg_check_modules(FREETYPE REQUIRED IMPORTED_TARGET freetype2)

@@ -89,9 +89,21 @@ const std::map<std::string, std::set<std::string>>& allowed() {
     // Reports tell suggestions, too.
     r["core/export"] = r["core/advise"];
     r["core/export"].insert("core/advise");
+    // The workshop knows finished panels, whatever made them; not settings, solvers or documents.
+    r["core/workshop"] = {"core/base", "core/mesh", "core/complex", "core/layers", "core/diagnose"};
+    r["core/pattern"] = r["core/workshop"];
+    r["core/pattern"].insert("core/workshop");
+    r["core/writers"] = r["core/pattern"];
+    r["core/writers"].insert("core/pattern");
+    // Of the writers the certificate knows options alone (scale of a page), none of their code.
+    r["core/certify"] = r["core/writers"];
+    r["core/certify"].insert("core/writers");
+    r["core/fabricate"] = r["core/certify"];
+    r["core/fabricate"].insert("core/certify");
     const std::set<std::string> core = [&] {
       std::set<std::string> all = r["core/export"];
-      all.insert("core/export");
+      all.insert(r["core/fabricate"].begin(), r["core/fabricate"].end());
+      all.insert({"core/export", "core/fabricate"});
       return all;
     }();
     // The renderer draws polygons; it knows nothing of solving.
