@@ -1,6 +1,7 @@
 #include "core/mesh/edge_table.h"
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 namespace planewright {
@@ -56,6 +57,33 @@ EdgeTable build_edge_table(const Polygons& faces, int vertex_count) {
   std::vector<int> fill(table.first.begin(), table.first.end() - 1);
   for (int c = 0; c < corner_count; ++c) table.corners[fill[table.edge_of_corner[c]]++] = c;
   return table;
+}
+
+int renumber(EdgeTable& table, const Polygons& faces, std::span<const std::array<int, 2>> edges) {
+  const std::vector<int>& indices = faces.indices();
+  std::map<std::array<int, 2>, int> corner_of;  // by the ends of its edge, in its direction
+  for (int f = 0; f < faces.size(); ++f)
+    for (int c = faces.offsets()[f]; c < faces.offsets()[f + 1]; ++c)
+      corner_of[{indices[c], indices[next_corner(faces, f, c)]}] = c;
+
+  EdgeTable renumbered = table;
+  std::vector<char> taken(edges.size(), 0);
+  renumbered.corners.clear();
+  for (size_t e = 0; e < edges.size(); ++e) {
+    const auto found = corner_of.find(edges[e]);
+    if (found == corner_of.end()) return static_cast<int>(e);
+    const int first = found->second, old = table.edge_of_corner[first];
+    if (taken[old]) return static_cast<int>(e);
+    taken[old] = 1;
+    renumbered.first[e] = static_cast<int>(renumbered.corners.size());
+    renumbered.corners.push_back(first);
+    for (int k = 0; k < table.corner_count(old); ++k)
+      if (table.corner(old, k) != first) renumbered.corners.push_back(table.corner(old, k));
+    for (int k = 0; k < table.corner_count(old); ++k)
+      renumbered.edge_of_corner[table.corner(old, k)] = static_cast<int>(e);
+  }
+  table = std::move(renumbered);
+  return -1;
 }
 
 }  // namespace planewright

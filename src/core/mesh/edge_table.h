@@ -4,6 +4,8 @@
 // Edges are undirected and numbered by their first corner, so the numbering follows the order of the faces.
 #pragma once
 
+#include <array>
+#include <span>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -24,6 +26,11 @@ struct EdgeTable {
 // Precondition: every index is inside 0..vertex_count-1, every face has at least 3 distinct corners. O(C log
 // C).
 EdgeTable build_edge_table(const Polygons& faces, int vertex_count);
+
+// Numbers the edges anew: edge e is the one that edges[e] names by its ends, and begins with the corner that
+// runs that way. Returns -1, or, with the table unchanged, the first e that is no edge of the faces in that
+// direction or stands there twice. Precondition: edges.size() == table.size().
+int renumber(EdgeTable& table, const Polygons& faces, std::span<const std::array<int, 2>> edges);
 
 // The corner after, or before, corner c in its face f.
 inline int next_corner(const Polygons& faces, int f, int c) {

@@ -83,11 +83,20 @@ Result<void> check_edges(const Polygons& faces, const EdgeTable& table) {
   return {};
 }
 
+Result<EdgeTable> checked_edges(const Points& positions, const Polygons& faces) {
+  if (auto ok = check_elements(positions, faces); !ok) return tl::unexpected(ok.error());
+  EdgeTable table = build_edge_table(faces, static_cast<int>(positions.rows()));
+  if (auto ok = check_edges(faces, table); !ok) return tl::unexpected(ok.error());
+  return table;
+}
+
 }  // namespace
 
 struct PolygonMesh::Impl {
   HalfedgeMesh mesh;
   Points positions = Points(0, 3);  // what OpenMesh holds, as the array that the rest of the core reads
+
+  static Result<PolygonMesh> make(const Points& positions, const Polygons& faces, const EdgeTable& table);
 
   // Half-edges of faces, the links round each face, and what belongs to them. Edge e runs in the direction of
   // its first corner (half-edge 0); so the numbering of edges is the table's.
@@ -194,11 +203,8 @@ PolygonMesh& PolygonMesh::operator=(const PolygonMesh& other) {
 PolygonMesh& PolygonMesh::operator=(PolygonMesh&&) noexcept = default;
 PolygonMesh::~PolygonMesh() = default;
 
-Result<PolygonMesh> PolygonMesh::from_polygons(const Points& positions, const Polygons& faces) {
-  if (auto ok = check_elements(positions, faces); !ok) return tl::unexpected(ok.error());
-  const EdgeTable table = build_edge_table(faces, static_cast<int>(positions.rows()));
-  if (auto ok = check_edges(faces, table); !ok) return tl::unexpected(ok.error());
-
+Result<PolygonMesh> PolygonMesh::Impl::make(const Points& positions, const Polygons& faces,
+                                            const EdgeTable& table) {
   // Built straight into OpenMesh's arrays: its add_face() searches round a vertex for every face, which takes
   // quadratic time at a hub of many faces, and refuses some orders of faces that are fine in the end.
   PolygonMesh result;
@@ -207,6 +213,29 @@ Result<PolygonMesh> PolygonMesh::from_polygons(const Points& positions, const Po
   if (auto ok = result.impl_->link_border(); !ok) return tl::unexpected(ok.error());
   if (auto ok = result.impl_->check_fans(faces); !ok) return tl::unexpected(ok.error());
   return result;
+}
+
+Result<PolygonMesh> PolygonMesh::from_polygons(const Points& positions, const Polygons& faces) {
+  const auto table = checked_edges(positions, faces);
+  if (!table) return tl::unexpected(table.error());
+  return Impl::make(positions, faces, *table);
+}
+
+Result<PolygonMesh> PolygonMesh::from_polygons(const Points& positions, const Polygons& faces,
+                                               std::span<const std::array<int, 2>> edges) {
+  auto table = checked_edges(positions, faces);
+  if (!table) return tl::unexpected(table.error());
+  if (edges.size() != static_cast<size_t>(table->size()))
+    return refuse("the faces have " + std::to_string(table->size()) + " edges, but " +
+                      std::to_string(edges.size()) + " are listed",
+                  "edges", "List each edge once, or leave the list out");
+  if (const int wrong = renumber(*table, faces, edges); wrong >= 0) {
+    const auto [a, b] = edges[static_cast<size_t>(wrong)];
+    return refuse("no face runs from vertex " + std::to_string(a) + " to vertex " + std::to_string(b) +
+                      ", or the edge is listed twice",
+                  "edge " + std::to_string(wrong), "List each edge once, or leave the list out");
+  }
+  return Impl::make(positions, faces, *table);
 }
 
 int PolygonMesh::vertex_count() const {

@@ -9,7 +9,9 @@
 // const mesh may be read by several threads; copies are deep. OpenMesh stays behind the .cpp.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -37,13 +39,17 @@ class PolygonMesh {
   // Refuses (ErrorCode::Refused, naming the first offending element) what breaks the invariants above,
   // non-finite coordinates and indices out of range.
   static Result<PolygonMesh> from_polygons(const Points& positions, const Polygons& faces);
+  // The same with edges numbered as they are listed, #E pairs of vertices in the direction that edge() tells:
+  // flips leave another order than the faces alone give. Refuses edges that are not those of the faces.
+  static Result<PolygonMesh> from_polygons(const Points& positions, const Polygons& faces,
+                                           std::span<const std::array<int, 2>> edges);
 
   int vertex_count() const;
   int face_count() const;
   int edge_count() const;
 
-  const Points& positions() const;  // #V x 3, model units
-  Polygons faces() const;           // corners in the order given to from_polygons, as changed by flips
+  const Points& positions() const;        // #V x 3, model units
+  Polygons faces() const;                 // corners in the order given to from_polygons, as changed by flips
   std::vector<int> corners(int f) const;  // of one face, as faces() has them
   int valence(int f) const;               // how many
   MeshEdge edge(int e) const;
