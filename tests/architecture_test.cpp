@@ -82,15 +82,16 @@ const std::map<std::string, std::set<std::string>>& allowed() {
                           "core/problem", "core/solve", "core/layers"};
     r["core/design"] = {"core/base",    "core/mesh",  "core/cluster",  "core/complex",
                         "core/problem", "core/solve", "core/diagnose", "core/layers"};
+    // The workshop knows finished panels, whatever made them; not settings, solvers or documents.
+    r["core/workshop"] = {"core/base", "core/mesh", "core/complex", "core/layers", "core/diagnose"};
+    // A document has a unit and tolerances.
     r["core/edit"] = r["core/design"];
-    r["core/edit"].insert("core/design");
+    r["core/edit"].insert({"core/design", "core/workshop"});
     r["core/advise"] = r["core/edit"];
     r["core/advise"].insert("core/edit");
     // Reports tell suggestions, too.
     r["core/export"] = r["core/advise"];
     r["core/export"].insert("core/advise");
-    // The workshop knows finished panels, whatever made them; not settings, solvers or documents.
-    r["core/workshop"] = {"core/base", "core/mesh", "core/complex", "core/layers", "core/diagnose"};
     r["core/pattern"] = r["core/workshop"];
     r["core/pattern"].insert("core/workshop");
     r["core/writers"] = r["core/pattern"];

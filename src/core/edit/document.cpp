@@ -4,22 +4,85 @@
 #include <cassert>
 #include <utility>
 
+#include "core/edit/mesh_json.h"
 #include "core/edit/remap.h"
 
 namespace planewright {
+namespace {
+
+// Of a mesh that needs no repair: what is odd about it all the same.
+HealthReport health_of(const PolygonMesh& mesh) {
+  HealthReport health;
+  health.vertices = mesh.vertex_count();
+  health.faces = mesh.face_count();
+  if (auto checked = check_and_repair(mesh.positions(), mesh.faces())) health = std::move(checked->health);
+  health.repaired = false;
+  return health;
+}
+
+bool numbered_by_mesh(const Layer& layer) {
+  return layer.settings.mode != ComplexKind::Cluster;  // those number their panels by region
+}
+
+// Waivers name elements of the complex by numbers that depend on where the lists of the mesh start. Both
+// meshes have the same elements; all else of a design names these.
+Design with_waivers_in(Design design, const PolygonMesh& before, const PolygonMesh& after) {
+  Design waivers;
+  waivers.layers.clear();
+  for (const Layer& layer : design.layers) {
+    waivers.layers.push_back(layer);
+    waivers.layers.back().settings.demands = {};
+    if (numbered_by_mesh(layer))
+      waivers.layers.back().settings.demands.waived = layer.settings.demands.waived;
+  }
+  waivers = remapped(std::move(waivers), identity_map(after), before, after).design;
+  for (std::size_t k = 0; k < design.layers.size(); ++k)
+    if (numbered_by_mesh(design.layers[k]))
+      design.layers[k].settings.demands.waived = std::move(waivers.layers[k].settings.demands.waived);
+  return design;
+}
+
+}  // namespace
 
 void Document::open(CheckedMesh mesh, std::string name, LayerSettings settings) {
+  Design design;
+  design.layers.front().settings = std::move(settings);
+  begin(new_project(std::move(name), std::move(mesh.mesh), std::move(design)), std::move(mesh.health));
+}
+
+void Document::open_project(Project project) {
+  HealthReport health = health_of(project.mesh);
+  begin(std::move(project), std::move(health));
+}
+
+void Document::begin(Project project, HealthReport health) {
+  assert(!project.design.layers.empty());
   Moment opened;
-  opened.mesh = std::make_shared<const PolygonMesh>(std::move(mesh.mesh));
-  opened.design.layers.front().settings = std::move(settings);
-  numbering_ = ElementNumbering(*opened.mesh);
-  panel_numbers_ = PanelNumbers(*opened.mesh);
-  opened.ids = std::make_shared<const ElementIds>(numbering_.opened());
-  health_ = std::move(mesh.health);
-  name_ = std::move(name);
+  opened.mesh = std::make_shared<const PolygonMesh>(std::move(project.mesh));
+  opened.ids = std::make_shared<const ElementIds>(std::move(project.names.ids));
+  opened.design = std::move(project.design);
+  opened.contract = project.contract;
+  numbering_ = project.names.numbering;
+  panel_numbers_ = std::move(project.names.panels);
+  given_names_ = std::move(project.given_names);
+  health_ = std::move(health);
+  name_ = std::move(project.name);
   active_layer_ = 0;
   history_.begin(std::move(opened));
   ++revision_;
+}
+
+Project Document::to_project() const {
+  assert(!empty());
+  Project project;
+  project.name = name_;
+  project.mesh = as_read_again(*mesh());
+  project.design = with_waivers_in(design(), *mesh(), project.mesh);
+  project.contract = contract();
+  project.names = {*ids(), numbering_, panel_numbers_};
+  project.given_names = given_names_;
+  project.solved.resize(design().layers.size());
+  return project;
 }
 
 void Document::set_active_layer(int layer) {
@@ -30,6 +93,13 @@ int Document::panel_number(int layer, int plane_origin) const {
   if (empty() || layer < 0 || layer >= static_cast<int>(design().layers.size())) return -1;
   const LayerSettings& settings = design().layers[static_cast<std::size_t>(layer)].settings;
   return panel_numbers_.number(settings.mode, settings.border, *ids(), plane_origin);
+}
+
+Result<void> Document::keep_names(int layer, const std::map<int, std::string>& names) {
+  if (layer < 0 || layer >= static_cast<int>(design().layers.size()))
+    return fail(ErrorCode::Refused, "there is no layer " + std::to_string(layer));
+  return add_names(given_names_, panel_series(design().layers[static_cast<std::size_t>(layer)].settings),
+                   names);
 }
 
 Result<void> Document::may_edit(const MeshEdit& edit) const {
@@ -82,6 +152,15 @@ void Document::change_design(Design changed, std::string what, std::string merge
   if (changed == design()) return;
   Moment next = history_.present();
   next.design = std::move(changed);
+  next.what = std::move(what);
+  next.merge_key = std::move(merge_key);
+  step(std::move(next));
+}
+
+void Document::change_contract(WorkshopContract changed, std::string what, std::string merge_key) {
+  if (changed == contract()) return;
+  Moment next = history_.present();
+  next.contract = changed;
   next.what = std::move(what);
   next.merge_key = std::move(merge_key);
   step(std::move(next));

@@ -1,5 +1,5 @@
-// Document: one design as the designer edits it: mesh, layers with their settings, selections, name, and what
-// can be undone.
+// Document: one design as the designer edits it: mesh, layers with their settings, selections, what the
+// workshop asks for, name, and what can be undone.
 //
 // Every change goes through a member here and is a step of the history. Consecutive changes of the same
 // setting (a slider being dragged) are one step: `merge_key` says which belong together, and `end_merge()`
@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,7 +17,9 @@
 #include "core/base/result.h"
 #include "core/design/layer_settings.h"
 #include "core/edit/element_names.h"
+#include "core/edit/given_names.h"
 #include "core/edit/history.h"
+#include "core/edit/project.h"
 #include "core/mesh/health_report.h"
 #include "core/mesh/mesh_edits.h"
 #include "core/mesh/polygon_mesh.h"
@@ -31,6 +34,12 @@ class Document {
   // Mode and weights start at `settings`.
   void open(CheckedMesh mesh, std::string name, LayerSettings settings);
 
+  // The same for a project. What is solved of it is not the document's business, but whoever's shows results.
+  void open_project(Project project);
+  // All that open_project() needs to go on from the present moment; nothing solved, which whoever shows
+  // results may add. Precondition: not empty.
+  Project to_project() const;
+
   bool empty() const { return mesh() == nullptr; }
   const std::shared_ptr<const PolygonMesh>& mesh() const { return history_.present().mesh; }
   const HealthReport& health() const { return health_; }
@@ -41,6 +50,8 @@ class Document {
   const LayerSettings& settings() const {
     return design().layers[static_cast<std::size_t>(active_layer_)].settings;
   }
+  // Unit, tolerances and what else the workshop asks for.
+  const WorkshopContract& contract() const { return history_.present().contract; }
   const std::string& name() const { return name_; }
   // Grows with every change of mesh or settings, undo and redo included: what is shown is stale if it was
   // solved for another revision.
@@ -55,6 +66,12 @@ class Document {
   int panel_number(ComplexKind kind, BorderPolicy border, const ElementIds& ids, int plane_origin) const {
     return panel_numbers_.number(kind, border, ids, plane_origin);
   }
+
+  // What panels were called when they left for the workshop, by panel number. Kept whatever is undone.
+  const GivenNames& given_names() const { return given_names_; }
+  // Adds names of a layer's panels, by panel_number(), over earlier ones; no step. Refused, with nothing
+  // changed, as add_names() says, or if there is no such layer.
+  Result<void> keep_names(int layer, const std::map<int, std::string>& names);
 
   // Why an edit of the present mesh is refused, as an error for the designer. Cheap.
   Result<void> may_edit(const MeshEdit& edit) const;
@@ -71,6 +88,8 @@ class Document {
   void change_settings(LayerSettings settings, std::string what, std::string merge_key = {});
   // Changes layers or selections; the same rules. Precondition: at least one layer.
   void change_design(Design changed, std::string what, std::string merge_key = {});
+  // Changes unit, tolerances and the like; the same rules.
+  void change_contract(WorkshopContract changed, std::string what, std::string merge_key = {});
   void end_merge() { history_.end_merge(); }
 
   // What is shown now. A step begins with what was shown before it; null until the first are set.
@@ -95,6 +114,7 @@ class Document {
   void go_to(int steps);
 
  private:
+  void begin(Project project, HealthReport health);
   void step(Moment next);
 
   HealthReport health_;
@@ -104,6 +124,7 @@ class Document {
   History history_;
   ElementNumbering numbering_;
   PanelNumbers panel_numbers_;
+  GivenNames given_names_;
 };
 
 }  // namespace planewright

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "core/problem/element.h"
 
@@ -50,20 +51,15 @@ std::vector<int> ranks(const std::vector<char>& has_panel) {
 }  // namespace
 
 ElementNumbering::ElementNumbering(const PolygonMesh& opened)
-    : opened_vertices_(opened.vertex_count()),
-      opened_edges_(opened.edge_count()),
-      opened_faces_(opened.face_count()),
-      next_vertex_(opened_vertices_),
-      next_edge_(opened_edges_),
-      next_face_(opened_faces_) {}
+    : opened_{opened.vertex_count(), opened.edge_count(), opened.face_count()}, next_(opened_) {}
 
 ElementIds ElementNumbering::opened() const {
-  return {first_numbers(opened_vertices_), first_numbers(opened_edges_), first_numbers(opened_faces_)};
+  return {first_numbers(opened_.vertices), first_numbers(opened_.edges), first_numbers(opened_.faces)};
 }
 
 ElementIds ElementNumbering::edited(const ElementIds& before, const ElementMap& map) {
-  return {carried(before.vertices, map.vertices, next_vertex_), carried(before.edges, map.edges, next_edge_),
-          carried(before.faces, map.faces, next_face_)};
+  return {carried(before.vertices, map.vertices, next_.vertices),
+          carried(before.edges, map.edges, next_.edges), carried(before.faces, map.faces, next_.faces)};
 }
 
 ElementMap map_between(const ElementIds& from, const ElementIds& to) {
@@ -90,6 +86,12 @@ int PanelNumbers::number(ComplexKind kind, BorderPolicy border, const ElementIds
   if (kind == ComplexKind::Planarize) return id;
   const std::vector<int>& opened = border == BorderPolicy::Interior ? interior_ : closed_;
   return id < static_cast<int>(opened.size()) ? opened[static_cast<std::size_t>(id)] : id;
+}
+
+ElementNames names_of_opened(const PolygonMesh& mesh) {
+  ElementNumbering numbering(mesh);
+  ElementIds ids = numbering.opened();
+  return {std::move(ids), numbering, PanelNumbers(mesh)};
 }
 
 std::string panel_name(int number) {

@@ -11,6 +11,7 @@
 #include "core/design/layer_settings.h"
 #include "core/edit/element_names.h"
 #include "core/mesh/polygon_mesh.h"
+#include "core/workshop/contract.h"
 
 namespace planewright {
 
@@ -26,6 +27,7 @@ struct Moment {
   std::shared_ptr<const PolygonMesh> mesh;
   std::shared_ptr<const ElementIds> ids;  // of the mesh's elements
   Design design;
+  WorkshopContract contract;
   std::shared_ptr<const ShownResults> results;  // may be null
 };
 
