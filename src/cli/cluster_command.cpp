@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "cli/cluster_options.h"
 #include "cli/commands.h"
@@ -42,7 +43,8 @@ Result<ExitStatus> run(const SolveCommandOptions& options, const RegionRequest& 
     return tl::unexpected(prepared.error());
   note_idle_reference(*plan, options);
   const double seconds_build = std::chrono::duration<double>(Clock::now() - begun).count();
-  return solve_layers(*plan, options, *files, loaded->health, seconds_build);
+  std::vector<SolvedLayer> solved;
+  return solve_layers(*plan, options, *files, loaded->health, seconds_build, solved);
 }
 
 }  // namespace

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "cli/layer_crossings.h"
-#include "cli/layer_run.h"
 #include "cli/output_files.h"
 #include "cli/solve_summary.h"
 #include "core/base/atomic_file.h"
+#include "core/edit/project_file.h"
 #include "core/export/solve_record.h"
 #include "core/mesh/mesh_io.h"
 
@@ -29,12 +29,16 @@ Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& pl
     if (!output.path.empty())
       if (const auto format = format_of(output.path); !format) return tl::unexpected(format.error());
   outputs.push_back({"--report", options.report});
+  if (!options.project.empty() && !options.project.ends_with(kProjectEnding))
+    return fail(ErrorCode::Usage, "the name does not end in " + std::string(kProjectEnding),
+                "--project " + options.project, "Projects are known by that ending");
+  outputs.push_back({"--project", options.project});
   return check_outputs(inputs_of(options), outputs);
 }
 
 Result<ExitStatus> solve_layers(const LayerPlan& plan, const SolveCommandOptions& options,
-                                const DesignFiles& files, const HealthReport& health, double seconds_build) {
-  std::vector<SolvedLayer> solved;
+                                const DesignFiles& files, const HealthReport& health, double seconds_build,
+                                std::vector<SolvedLayer>& solved) {
   std::vector<SolveRecord> records;
   ExitStatus status = kSuccess;
   for (const LayerJob& job : plan.jobs) {

@@ -2,11 +2,13 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <vector>
 
 #include "cli/commands.h"
 #include "cli/design_files.h"
 #include "cli/layer_jobs.h"
 #include "cli/layer_series.h"
+#include "cli/project_output.h"
 #include "cli/solve_options.h"
 #include "core/design/design.h"
 #include "core/mesh/mesh_io.h"
@@ -35,7 +37,12 @@ Result<ExitStatus> run(const SolveCommandOptions& options) {
     return tl::unexpected(prepared.error());
   note_idle_reference(*plan, options);
   const double seconds_build = std::chrono::duration<double>(Clock::now() - begun).count();
-  return solve_layers(*plan, options, *files, checked->health, seconds_build);
+  std::vector<SolvedLayer> solved;
+  const auto status = solve_layers(*plan, options, *files, checked->health, seconds_build, solved);
+  if (!status) return status;
+  if (auto saved = save_project_of(options, checked->mesh, *plan, *files, solved); !saved)
+    return tl::unexpected(saved.error());
+  return status;
 }
 
 CLI::App* add_solve_command(CLI::App& app, ExitStatus& status, ComplexKind mode, const char* command_name,
@@ -43,6 +50,7 @@ CLI::App* add_solve_command(CLI::App& app, ExitStatus& status, ComplexKind mode,
   options->settings.mode = mode;
   auto* command = app.add_subcommand(command_name, description);
   declare_solve_options(*command, options);
+  declare_project_option(*command, options);
   command->callback([options, &status] {
     const auto result = run(*options);
     status = result ? *result : report(result.error());

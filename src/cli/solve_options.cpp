@@ -21,8 +21,8 @@ std::string names_of(const Entries& entries) {
 void declare_files(CLI::App& command, const Options& options) {
   command.add_option("IN", options->input, "Mesh to work on (.obj .off .ply .stl)")->required();
   command.add_option("--report", options->report, "JSON report to write");
-  command.add_option("--unit", options->unit, "Unit of the model, for messages")
-      ->check(CLI::IsMember({"mm", "cm", "m", "in"}));
+  command.add_option("--unit", options->unit, "Unit of the model, for messages and projects")
+      ->check(CLI::IsMember({"mm", "cm", "m", "in", "ft"}));
   command.add_flag("--quiet", options->quiet, "No progress and no summary; errors and warnings still appear");
 }
 

@@ -12,7 +12,7 @@
 namespace planewright::cli {
 
 struct SolveCommandOptions {
-  std::string input, output, report, unit = "m";
+  std::string input, output, report, project, unit = "m";
   SolverKind solver = SolverKind::Auto;
   LayerSettings settings;     // what one option gives whole: mode, offset, freedom, side, limits
   bool mode_by_mesh = false;  // `panels`: triangles become a dual, anything else is planarized
