@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cmath>
+#include <fstream>
 #include <limits>
 
 #include "support/projects.h"
@@ -83,6 +84,19 @@ TEST(ProjectFile, WhatIsAbsentIsAsItBegins) {
   EXPECT_EQ(read->project.design, Design{});
   EXPECT_EQ(read->project.contract, WorkshopContract{});
   EXPECT_EQ(read->warnings, std::vector<std::string>{});
+}
+
+// The indented block of docs/project-file.md.
+TEST(ProjectFile, TheExampleOfTheDocumentationReads) {
+  std::ifstream docs(std::string(PLANEWRIGHT_SOURCE_DIR) + "/docs/project-file.md");
+  std::string example, line;
+  while (std::getline(docs, line))
+    if (line.starts_with("    ")) example += line + "\n";
+  const auto read = read_project(example, "example");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->warnings, std::vector<std::string>{});
+  EXPECT_EQ(read->project.contract.density, 2500.0);
+  EXPECT_EQ(read->project.design.layers[0].settings.demands.pins.size(), 1u);
 }
 
 TEST(ProjectFile, KeepsHowFlipsHaveNumberedTheEdges) {

@@ -173,5 +173,37 @@ TEST(Flip, SurvivesThousandsAtTheBorder) {
   expect_consistent(mesh);
 }
 
+// Rebuilt from its faces alone, a flipped mesh numbers its edges anew; with the list it does not.
+TEST(Flip, EdgesKeepTheirNumbersWhenTheyAreListed) {
+  PolygonMesh mesh = triangle_grid(4, 4).mesh();
+  for (int e = 0; e < mesh.edge_count(); e += 3) mesh.flip(e);
+  std::vector<std::array<int, 2>> edges;
+  for (int e = 0; e < mesh.edge_count(); ++e) edges.push_back({mesh.edge(e).a, mesh.edge(e).b});
+  const auto plain = PolygonMesh::from_polygons(mesh.positions(), mesh.faces()).value();
+  const auto rebuilt = PolygonMesh::from_polygons(mesh.positions(), mesh.faces(), edges).value();
+  expect_consistent(rebuilt);
+  EXPECT_EQ(rebuilt.faces(), mesh.faces());
+  bool differs = false;
+  for (int e = 0; e < mesh.edge_count(); ++e) {
+    const MeshEdge a = mesh.edge(e), b = rebuilt.edge(e), c = plain.edge(e);
+    EXPECT_TRUE(a.a == b.a && a.b == b.b && a.left == b.left && a.right == b.right) << e;
+    differs = differs || a.a != c.a || a.b != c.b;
+  }
+  EXPECT_TRUE(differs);
+}
+
+TEST(Flip, RefusesListedEdgesThatAreNotTheFaces) {
+  const Points positions = test::make_points({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
+  const auto error = [&](std::vector<std::array<int, 2>> edges) {
+    const auto mesh = PolygonMesh::from_polygons(positions, {{0, 1, 2}}, edges);
+    return mesh ? std::string() : mesh.error().text();
+  };
+  EXPECT_EQ(error({{2, 0}, {0, 1}, {1, 2}}), "");
+  EXPECT_NE(error({{2, 0}, {0, 1}}).find("3 edges, but 2 are listed"), std::string::npos);
+  EXPECT_NE(error({{2, 0}, {0, 1}, {2, 1}}).find("from vertex 2 to vertex 1"), std::string::npos);
+  EXPECT_NE(error({{2, 0}, {0, 1}, {0, 1}}).find("edge 2"), std::string::npos);
+  EXPECT_NE(error({{2, 0}, {0, 1}, {7, -1}}).find("edge 2"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace planewright
