@@ -8,10 +8,6 @@
 namespace planewright {
 namespace {
 
-bool stopped(const std::atomic<bool>* stop) {
-  return stop != nullptr && stop->load();
-}
-
 tl::unexpected<Error> stopped_error() {
   return fail(ErrorCode::Usage, "stopped before anything was written");
 }
@@ -68,7 +64,7 @@ void draw(ExportPreparation& made, const WorkshopModel& model, const ExportSetti
 
 Result<ExportPreparation> prepare_export(const std::shared_ptr<const WorkshopModel>& model,
                                          const ExportSettings& settings, const ReferenceSurface* reference,
-                                         const ExportProgress& progress, const std::atomic<bool>* stop) {
+                                         const ExportProgress& progress, const std::stop_token& stop) {
   const auto tell = [&](std::string_view stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
@@ -76,11 +72,11 @@ Result<ExportPreparation> prepare_export(const std::shared_ptr<const WorkshopMod
   ExportPreparation made;
   made.passports = make_passports(*model, {settings.thickness, settings.density, reference});
   made.verdicts = check_tolerances(*model, made.passports, settings.tolerances);
-  if (stopped(stop)) return stopped_error();
+  if (stop.stop_requested()) return stopped_error();
   CongruenceOptions congruence = settings.congruence;
   congruence.bevels = settings.thickness > 0.0;
   made.classes = congruence_classes(*model, made.passports, congruence);
-  if (stopped(stop)) return stopped_error();
+  if (stop.stop_requested()) return stopped_error();
 
   if (settings.thickness != 0.0) {
     tell("thickening", 0.0);
@@ -89,14 +85,14 @@ Result<ExportPreparation> prepare_export(const std::shared_ptr<const WorkshopMod
     made.solids = std::move(*solids);
   }
   made.patterns = flatten(*model, made.solids ? &*made.solids : nullptr, settings.gap);
-  if (stopped(stop)) return stopped_error();
+  if (stop.stop_requested()) return stopped_error();
 
   if (settings.nesting) {
     auto nesting = nest(
         made.patterns, *settings.nesting,
         [&](int placed, int total) { tell("nesting", total > 0 ? double(placed) / total : 1.0); }, stop);
     if (!nesting) return tl::unexpected(nesting.error());
-    if (nesting->stopped || stopped(stop)) return stopped_error();
+    if (nesting->stopped || stop.stop_requested()) return stopped_error();
     made.nesting = std::move(*nesting);
   }
   add_remarks(made, *model);

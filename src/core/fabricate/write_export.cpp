@@ -58,11 +58,10 @@ Result<void> check_panels(const WorkshopModel& model, const ExportPreparation& p
 Result<ExportOutcome> write_export(const std::shared_ptr<const WorkshopModel>& model,
                                    const ExportPreparation& prepared, const ExportSettings& settings,
                                    const fs::path& folder, const ExportProgress& progress,
-                                   const std::atomic<bool>* stop) {
+                                   const std::stop_token& stop) {
   const auto tell = [&](std::string_view stage, double fraction) {
     if (progress) progress(stage, fraction);
   };
-  const auto stopped = [&] { return stop != nullptr && stop->load(); };
   if (auto checked = check_settings(settings); !checked) return tl::unexpected(checked.error());
   if (auto checked = check_panels(*model, prepared, settings); !checked)
     return tl::unexpected(checked.error());
@@ -86,7 +85,7 @@ Result<ExportOutcome> write_export(const std::shared_ptr<const WorkshopModel>& m
   if (!staged) return tl::unexpected(staged.error());
   std::vector<ExportedFile> files;
   for (const PlannedFile& plan : planned) {
-    if (stopped()) return fail(ErrorCode::Usage, "stopped before anything was written");
+    if (stop.stop_requested()) return fail(ErrorCode::Usage, "stopped before anything was written");
     tell("writing", double(files.size()) / double(planned.size()));
     const auto bytes = plan.bytes();
     if (!bytes) return tl::unexpected(bytes.error());
@@ -107,7 +106,7 @@ Result<ExportOutcome> write_export(const std::shared_ptr<const WorkshopModel>& m
   outcome.certificate = certify(staged->path(), files, content, [&](int done, int total) {
     tell("certifying", total > 0 ? double(done) / total : 1.0);
   });
-  if (stopped()) return fail(ErrorCode::Usage, "stopped before anything was written");
+  if (stop.stop_requested()) return fail(ErrorCode::Usage, "stopped before anything was written");
   for (const auto& [name, text] :
        {std::pair{kCertificateJson, to_json(outcome.certificate, content)},
         std::pair{kCertificatePage, certificate_page(outcome.certificate, content)}}) {
