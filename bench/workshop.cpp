@@ -81,8 +81,10 @@ void measure(const std::string& name, const PolygonMesh& mesh, int repeat) {
       begun = now;
       return took;
     };
-    const auto model = value_of(
-        make_workshop_model(panels.points, panels.polygons, {.title = name, .unit = LengthUnit::Millimetre}));
+    WorkshopOptions naming;
+    naming.title = name;
+    naming.unit = LengthUnit::Millimetre;
+    const auto model = value_of(make_workshop_model(panels.points, panels.polygons, naming));
     stages.naming = lap();
     prepared = value_of(prepare_export(model, settings, nullptr));
     stages.preparing = lap();
@@ -109,7 +111,7 @@ void measure_workshop(const WorkshopBench& options) {
       "%-26s %7s %8s %8s %8s %8s %6s %7s %7s %6s\n",
       kPanelSize, kThickness, kGap, options.repeat, kGoalSeconds, kGoalPanels, "", "panels", "names",
       "prepare", "write", "total", "goal", "sheets", "filled", "files");
-  measure("dome", make_dome(8, 24), options.repeat);
+  measure("dome", value_of(make_sample("dome", 1000)), options.repeat);
   for (const char* file : {"tri/train-station.off", "tri/bunny1k.obj"}) {
     std::error_code error;
     if (meshes.empty() || !std::filesystem::is_regular_file(meshes / file, error))
