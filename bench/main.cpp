@@ -6,6 +6,7 @@
 //   advice          how well predicted gains of edits rank them, and what rating them costs
 //   cluster         what clustering a mesh costs, anew and while the number of regions is dragged
 //   findings        what finding the bad places of solved panels costs, by detector
+//   workshop        what an export in all formats costs, certificate included
 //   warm-start      iterations of Ipopt alone, and from where the tangent solver ended
 //
 // Without one of those words each solver ends by its own termination:
@@ -31,6 +32,7 @@
 #include "live.h"
 #include "own_termination.h"
 #include "warm_start.h"
+#include "workshop.h"
 
 int main(int argc, char** argv) {
   using namespace planewright;
@@ -62,6 +64,7 @@ int main(int argc, char** argv) {
   bench::declare_findings(app);
   bench::declare_live(app);
   bench::declare_warm_start(app);
+  bench::declare_workshop(app);
   try {
     app.parse(argc, argv);
     if (!app.get_subcommands().empty()) return 0;

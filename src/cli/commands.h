@@ -16,6 +16,7 @@ void add_cluster_command(CLI::App& app, ExitStatus& status);
 void add_check_command(CLI::App& app, ExitStatus& status);
 void add_diagnose_command(CLI::App& app, ExitStatus& status);
 void add_improve_command(CLI::App& app, ExitStatus& status);
+void add_export_command(CLI::App& app, ExitStatus& status);
 void add_render_command(CLI::App& app, ExitStatus& status);
 
 }  // namespace planewright::cli

@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   cli::add_check_command(app, status);
   cli::add_diagnose_command(app, status);
   cli::add_improve_command(app, status);
+  cli::add_export_command(app, status);
   cli::add_render_command(app, status);
   try {
     app.parse(argc, argv);

@@ -5,10 +5,10 @@
 // one run per thread; the window runs it on a worker.
 #pragma once
 
-#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <set>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -67,7 +67,7 @@ using ExportProgress = std::function<void(std::string_view stage, double fractio
 Result<ExportPreparation> prepare_export(const std::shared_ptr<const WorkshopModel>& model,
                                          const ExportSettings& settings, const ReferenceSurface* reference,
                                          const ExportProgress& progress = {},
-                                         const std::atomic<bool>* stop = nullptr);
+                                         const std::stop_token& stop = {});
 
 struct ExportOutcome {
   std::filesystem::path folder;
@@ -82,6 +82,6 @@ struct ExportOutcome {
 Result<ExportOutcome> write_export(const std::shared_ptr<const WorkshopModel>& model,
                                    const ExportPreparation& prepared, const ExportSettings& settings,
                                    const std::filesystem::path& folder, const ExportProgress& progress = {},
-                                   const std::atomic<bool>* stop = nullptr);
+                                   const std::stop_token& stop = {});
 
 }  // namespace planewright

@@ -3,8 +3,8 @@
 // Units: mm. The sheet's corner is (0, 0). Threads: pure.
 #pragma once
 
-#include <atomic>
 #include <functional>
+#include <stop_token>
 #include <vector>
 
 #include "core/pattern/flat_pattern.h"
@@ -36,11 +36,10 @@ struct Nesting {
   bool stopped = false;
 };
 
-// `cut` of each pattern that is not empty. progress(placed, total) may be null; stop may be null: parts that
+// `cut` of each pattern that is not empty. progress(placed, total) may be null; when stopped, parts that
 // were not placed are then neither on a sheet nor unplaced. Refused: a sheet without area, or whose margins
 // leave nothing.
 Result<Nesting> nest(const std::vector<FlatPattern>& patterns, const NestingOptions& options,
-                     const std::function<void(int, int)>& progress = {},
-                     const std::atomic<bool>* stop = nullptr);
+                     const std::function<void(int, int)>& progress = {}, const std::stop_token& stop = {});
 
 }  // namespace planewright
