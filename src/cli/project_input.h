@@ -1,4 +1,4 @@
-// The designs that commands begin with which take a project or a mesh. Warnings go to stderr.
+// Projects that commands begin with. Warnings go to stderr.
 #pragma once
 
 #include <string>
@@ -8,8 +8,11 @@
 
 namespace planewright::cli {
 
-// A project as it was saved, or a mesh as a design that nothing is set of but the mode that suits it. Fails
-// as load_project() and load_mesh() do.
-Result<Project> load_project_or_mesh(const std::string& path);
+// Whether a command that takes a project or a mesh was given a project: by the path's ending, else by what
+// the file begins with.
+bool is_project(const std::string& path);
+
+// Fails as load_project() does.
+Result<Project> read_project_input(const std::string& path);
 
 }  // namespace planewright::cli

@@ -91,7 +91,7 @@ TEST(ProjectDocument, NumbersOutliveEditsUndoAndReopening) {
 
 TEST(ProjectDocument, WaiversNameTheSamePlacesAfterFlips) {
   Document document = opened("dome", 60);
-  for (int e = 11; e < 80; e += 13) edit(document, MeshEdit::flip(first_flip(document, e)));
+  for (int e = 0; e < 100; ++e) edit(document, MeshEdit::flip(first_flip(document, e)));
   LayerSettings settings = document.settings();
   const auto before = build_complex(*document.mesh(), settings).value();
   for (int k = 0; k < static_cast<int>(before->panel_edges.size()); k += 3)
@@ -108,7 +108,8 @@ TEST(ProjectDocument, WaiversNameTheSamePlacesAfterFlips) {
     }
     return points;
   };
-  EXPECT_NE(again.settings().demands.waived, settings.demands.waived) << "the flips renumber no panel edge";
+  EXPECT_TRUE(again.settings().demands.waived != settings.demands.waived)
+      << "the flips renumber no panel edge";
   EXPECT_EQ(again.settings().demands.waived.size(), settings.demands.waived.size());
   EXPECT_EQ(places(*after, again.settings().demands.waived), places(*before, settings.demands.waived));
 }
