@@ -4,7 +4,6 @@
 #include <cassert>
 #include <utility>
 
-#include "core/edit/mesh_json.h"
 #include "core/edit/remap.h"
 
 namespace planewright {
@@ -18,28 +17,6 @@ HealthReport health_of(const PolygonMesh& mesh) {
   if (auto checked = check_and_repair(mesh.positions(), mesh.faces())) health = std::move(checked->health);
   health.repaired = false;
   return health;
-}
-
-bool numbered_by_mesh(const Layer& layer) {
-  return layer.settings.mode != ComplexKind::Cluster;  // those number their panels by region
-}
-
-// Waivers name elements of the complex by numbers that depend on where the lists of the mesh start. Both
-// meshes have the same elements; all else of a design names these.
-Design with_waivers_in(Design design, const PolygonMesh& before, const PolygonMesh& after) {
-  Design waivers;
-  waivers.layers.clear();
-  for (const Layer& layer : design.layers) {
-    waivers.layers.push_back(layer);
-    waivers.layers.back().settings.demands = {};
-    if (numbered_by_mesh(layer))
-      waivers.layers.back().settings.demands.waived = layer.settings.demands.waived;
-  }
-  waivers = remapped(std::move(waivers), identity_map(after), before, after).design;
-  for (std::size_t k = 0; k < design.layers.size(); ++k)
-    if (numbered_by_mesh(design.layers[k]))
-      design.layers[k].settings.demands.waived = std::move(waivers.layers[k].settings.demands.waived);
-  return design;
 }
 
 }  // namespace
@@ -76,8 +53,8 @@ Project Document::to_project() const {
   assert(!empty());
   Project project;
   project.name = name_;
-  project.mesh = as_read_again(*mesh());
-  project.design = with_waivers_in(design(), *mesh(), project.mesh);
+  project.mesh = *mesh();
+  project.design = design();
   project.contract = contract();
   project.names = {*ids(), numbering_, panel_numbers_};
   project.given_names = given_names_;

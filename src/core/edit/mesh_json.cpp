@@ -1,7 +1,6 @@
 #include "core/edit/mesh_json.h"
 
 #include <array>
-#include <cassert>
 
 namespace planewright {
 namespace {
@@ -77,12 +76,6 @@ PolygonMesh read_mesh(JsonReading& reading, const Json& json, const std::string&
   error.where = reading.file() + ", " + path + (error.where.empty() ? std::string() : ", " + error.where);
   reading.fail(std::move(error));
   return {};
-}
-
-PolygonMesh as_read_again(const PolygonMesh& mesh) {
-  auto again = PolygonMesh::from_polygons(mesh.positions(), mesh.faces(), edges_of(mesh));
-  assert(again);  // it was a mesh before
-  return again ? std::move(*again) : mesh;
 }
 
 }  // namespace planewright

@@ -12,8 +12,4 @@ nlohmann::ordered_json mesh_json(const PolygonMesh& mesh);
 // Fails for what PolygonMesh::from_polygons() refuses, and for a mesh without faces.
 PolygonMesh read_mesh(JsonReading& reading, const nlohmann::json& json, const std::string& path);
 
-// Every number of vertices, edges and faces the same, and starts of lists (faces_around(), corners()) as
-// after reading the file.
-PolygonMesh as_read_again(const PolygonMesh& mesh);
-
 }  // namespace planewright

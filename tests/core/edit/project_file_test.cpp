@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <random>
 
 #include "support/projects.h"
 #include "support/temporary_folder.h"
@@ -258,6 +259,33 @@ TEST(ProjectFile, SaysWhatIsWrongWithTheNumbers) {
   expect_unreadable(numbers("[0, 1, 3]"), {"numbers.vertices[2]", "out of range"});
   expect_unreadable(numbers("[0, 1, 2]", "[0, 1, 3]"), {"numbers.panels_closed[2]", "out of range"});
   expect_unreadable(numbers("[0, 1, 1]", "[0, 1, 2]", 2), {"numbers.given", "fewer"});
+}
+
+// Bytes changed, lost or doubled: an error or another project, never a crash.
+TEST(ProjectFile, AnyDamageIsAnErrorOrReadsAgain) {
+  const std::string whole = text_of(busy_project());
+  std::mt19937 random(7);
+  int refused = 0;
+  for (int run = 0; run < 400; ++run) {
+    std::string text = whole;
+    for (int k = 0; k < 1 + run % 3; ++k) {
+      const size_t at = random() % text.size();
+      if (run % 4 == 0)
+        text.erase(at, random() % 40);
+      else if (run % 4 == 1)
+        text.insert(at, text.substr(random() % text.size(), random() % 40));
+      else
+        text[at] = "0123456789-.,[]{}\"eE n"[random() % 22];
+    }
+    const auto read = read_project(text, "damaged");
+    if (read) {
+      EXPECT_TRUE(format_project(read->project)) << run;
+    } else {
+      EXPECT_EQ(read.error().code, ErrorCode::Unreadable);
+      ++refused;
+    }
+  }
+  EXPECT_GT(refused, 200);
 }
 
 TEST(ProjectFile, SolvedPanelsThatDoNotFitAreLeftOut) {
