@@ -2,11 +2,14 @@
 // image.
 //
 // Two panels belong together if the corners of one can be laid on those of the other, in their cyclic order,
-// by a motion of the plane with no corner off by more than the tolerance. "Within a tolerance" is no
+// by a motion of the plane with no corner off by more than the tolerance: the motion that makes the sum of
+// squares least, of the cyclic shifts the best, of equally good ones the smallest. Not turned over if that
+// will do. "Within a tolerance" is no
 // equivalence: classes are made round a first panel (the mother panel), in the order of the panels, and every
-// member is within the tolerance of the mother. With thickness, the bevels of the sides have to agree to
-// `bevel_tolerance` as well, and a mirror image is the same only turned inside out, so never a pattern for
-// mitred panels. Units: mm, degrees. Threads: pure.
+// member is within the tolerance of the mother, the first of which that is so. With thickness, the bevels of
+// the sides have to agree to `bevel_tolerance` as well, and a mirror image is the same only turned inside
+// out, so never a pattern for mitred panels: only for those that are cut square all round (bevels of 0 to
+// that tolerance). What panels are off their planes counts for nothing. Units: mm, degrees. Threads: pure.
 #pragma once
 
 #include <vector>

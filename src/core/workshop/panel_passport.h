@@ -13,14 +13,16 @@
 namespace planewright {
 
 struct SidePassport {
-  int neighbour = -1;     // panel; -1: border
-  double length = 0.0;    // mm
-  double interior = 0.0;  // degrees, at the corner where the side begins, 0..360
+  int neighbour = -1;   // panel; -1: border
+  double length = 0.0;  // mm
+  // Degrees, at the corner where the side begins, 0..360, more than 180 at a reflex corner. A side without
+  // length begins at 180: the corner is told where the next side begins.
+  double interior = 0.0;
   // Between the outsides of both panels, degrees: 180 flat, less than 180 a valley seen from outside, more a
   // ridge. Border: 180.
   double dihedral = 180.0;
-  // By how much the mitred edge leans from square to the panel, degrees: half of what dihedral lacks to 180;
-  // positive: the inner face is smaller than the outer. Border: 0 (cut square).
+  // By how much the mitred edge leans from square to the panel, degrees: half of what dihedral has over
+  // 180. Positive (a ridge): the inner face is smaller than the outer. Border: 0 (cut square).
   double bevel = 0.0;
 };
 
@@ -32,7 +34,7 @@ struct PanelPassport {
   double width = 0.0;      // mm, sides of the smallest rectangle round it, width >= height
   double height = 0.0;
   std::optional<double> distance;  // mm, farthest corner from the reference surface, unsigned
-  std::optional<double> weight;    // kg, where thickness and density are known
+  std::optional<double> weight;    // kg: area x thickness x density, where both are known
   bool crosses_itself = false;
   std::vector<SidePassport> sides;
 };

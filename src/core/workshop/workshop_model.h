@@ -33,14 +33,15 @@ struct WorkshopEdge {
 struct WorkshopModel {
   std::string title;                          // of the design: "train-station"
   LengthUnit model_unit = LengthUnit::Metre;  // of the document that it came from
-  Vector3d origin = Vector3d::Zero();         // mm
-  Vector3d up = Vector3d::UnitZ();            // unit
-  Points points;                              // #X x 3, mm
-  Polygons panels;                            // #P lists of points
+  // mm: the middle of the panels, rounded so that taking it off costs no digits.
+  Vector3d origin = Vector3d::Zero();
+  Vector3d up = Vector3d::UnitZ();    // unit
+  Points points;                      // #X x 3, mm
+  Polygons panels;                    // #P lists of points
   Points normals;                     // #P x 3, unit, outside; a panel without area: its neighbours' mean
   Vector plane_offsets;               // #P: plane i is { x : normals_i . x = plane_offsets_i }, mm
   std::vector<int> numbers;           // #P, the document's number of each panel (PanelNumbers)
-  std::vector<std::string> names;     // #P, unique, letters, digits and '-' alone
+  std::vector<std::string> names;     // #P, unique; ours: letters, digits, '-'; kept: '_', '.', too
   std::vector<WorkshopEdge> edges;    // ordered by their first panel and side
   Polygons edges_of_panel;            // #P lists, the edge of each side
   std::vector<std::string> warnings;  // what was odd about the panels (edges of three panels, ...)
@@ -64,9 +65,11 @@ struct WorkshopOptions {
 
 // points: #X x 3, model units; panels: lists into them, counter-clockwise seen from outside. Planes are the
 // panels' own least-squares planes. An edge of more than two panels, or of two that run the same way, becomes
-// border for each of them, with a warning. Refused: no panels, a panel of fewer than three corners or with a
-// corner twice, coordinates that are not finite, two kept names that are the same (both numbers are named), a
-// kept name with other characters than letters, digits, '-', '_' and '.'.
+// border for each of them, with a warning. Refused: no panels, a panel of fewer than three corners, with a
+// corner twice or one that there is not, coordinates that are not finite or beyond 1e100 mm, an `up` without
+// direction, numbers that are not #P, negative or not each once, two kept names that are the same (case
+// apart; both numbers are named) or of the same number, a kept name that is empty or has other characters
+// than letters, digits, '-', '_' and '.'. Errors say "panel N" with the document's number.
 Result<std::shared_ptr<const WorkshopModel>> make_workshop_model(const Points& points, const Polygons& panels,
                                                                  const WorkshopOptions& options);
 
