@@ -1,83 +1,138 @@
-// Small designs for the tests of the workshop, whose measures are known by hand.
+// Workshop models made by hand, for tests of what comes after them: planes by Newell's normal, names P1, P2,
+// ...
 #pragma once
 
-#include <gtest/gtest.h>
-
-#include <array>
-#include <memory>
-#include <vector>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
 
 #include "core/workshop/workshop_model.h"
+#include "support/shapes.h"
 
-namespace planewright {
+namespace planewright::test {
 
-struct PanelDesign {
-  Points points;
-  Polygons panels;
-};
-
-inline std::shared_ptr<const WorkshopModel> model_of(const PanelDesign& design,
-                                                     const WorkshopOptions& options = {}) {
-  auto model = make_workshop_model(design.points, design.panels, options);
-  EXPECT_TRUE(model) << (model ? std::string() : model.error().text());
-  return model ? *model : nullptr;
-}
-
-inline WorkshopOptions in_unit(LengthUnit unit) {
-  WorkshopOptions options;
-  options.unit = unit;
-  return options;
-}
-
-// The same design, given in mm, in another unit, as a file of that unit would have it.
-inline PanelDesign converted(const PanelDesign& millimetres, LengthUnit unit) {
-  return {millimetres.points / millimetres_per(unit), millimetres.panels};
-}
-
-// A cube of side 1 with a corner at 0. Panels: below, above, front (-y), back, left (-x), right; their
-// normals point outwards, or inwards.
-inline PanelDesign cube(bool outwards = true) {
-  PanelDesign cube;
-  cube.points.resize(8, 3);
-  for (int i = 0; i < 8; ++i) cube.points.row(i) << (i & 1), (i >> 1 & 1), (i >> 2 & 1);
-  const int sides[6][4] = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
-                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
-  for (const auto& side : sides)
-    cube.panels.push_back(outwards ? std::array{side[0], side[1], side[2], side[3]}
-                                   : std::array{side[3], side[2], side[1], side[0]});
-  return cube;
-}
-
-// A wall of rows x columns unit squares in the plane y = 0, outside towards -y; row by row from below, in
-// each from -x to +x.
-inline PanelDesign wall(int rows, int columns) {
-  PanelDesign wall;
-  wall.points.resize((rows + 1) * (columns + 1), 3);
-  const auto at = [columns](int r, int c) { return r * (columns + 1) + c; };
-  for (int r = 0; r <= rows; ++r)
-    for (int c = 0; c <= columns; ++c) wall.points.row(at(r, c)) << c, 0, r;
-  for (int r = 0; r < rows; ++r)
-    for (int c = 0; c < columns; ++c)
-      wall.panels.push_back(std::array{at(r, c), at(r, c + 1), at(r + 1, c + 1), at(r + 1, c)});
-  return wall;
-}
-
-// Each panel with corners of its own, in the plane z = 0.
-inline PanelDesign flat_panels(const std::vector<std::vector<std::array<double, 2>>>& outlines) {
-  PanelDesign design;
-  std::vector<std::array<double, 2>> all;
-  for (const auto& outline : outlines) {
-    std::vector<int> corners;
-    for (const auto& corner : outline) {
-      corners.push_back(static_cast<int>(all.size()));
-      all.push_back(corner);
+// points: mm.
+inline WorkshopModel workshop_model(const Points& points, const Polygons& panels) {
+  WorkshopModel model;
+  model.title = "test";
+  model.model_unit = LengthUnit::Millimetre;
+  model.points = points;
+  model.panels = panels;
+  model.normals.resize(panels.size(), 3);
+  model.plane_offsets.resize(panels.size());
+  std::map<std::pair<int, int>, int> edge_of;  // by its directed side
+  for (int i = 0; i < panels.size(); ++i) {
+    model.normals.row(i) = newell_vector(points, panels[i]).normalized();
+    model.plane_offsets[i] = model.normals.row(i).dot(centroid(points, panels[i]));
+    model.numbers.push_back(i);
+    model.names.push_back(std::string("P").append(std::to_string(i + 1)));
+    std::vector<int> edges;
+    for (int k = 0; k < panels.valence(i); ++k) {
+      const int a = panels[i][k], b = panels[i][(k + 1) % panels.valence(i)];
+      if (const auto there = edge_of.find({b, a}); there != edge_of.end()) {
+        model.edges[there->second].right = i;
+        model.edges[there->second].right_side = k;
+        edges.push_back(there->second);
+      } else {
+        edge_of[{a, b}] = static_cast<int>(model.edges.size());
+        edges.push_back(static_cast<int>(model.edges.size()));
+        model.edges.push_back({a, b, i, -1, k, -1});
+      }
     }
-    design.panels.push_back(corners);
+    model.edges_of_panel.push_back(edges);
   }
-  design.points.resize(static_cast<Eigen::Index>(all.size()), 3);
-  for (size_t i = 0; i < all.size(); ++i)
-    design.points.row(static_cast<Eigen::Index>(i)) << all[i][0], all[i][1], 0.0;
-  return design;
+  return model;
 }
 
-}  // namespace planewright
+inline WorkshopModel workshop_model(const Shape& shape, double size) {
+  return workshop_model(Points(shape.positions * size), shape.faces);
+}
+
+// The planes { x : n_i . x = h_i } cut the body { n_i . x <= h_i } out of space; its faces, from the corners
+// where three of them meet. For planes in general position: every corner is of valence 3.
+inline Shape body_of_planes(const Points& normals, const Vector& offsets) {
+  const int n = static_cast<int>(normals.rows());
+  const double slack = 1e-9 * offsets.cwiseAbs().maxCoeff();
+  std::vector<Vector3d> corners;
+  std::vector<std::vector<int>> corners_of(static_cast<size_t>(n));
+  for (int i = 0; i < n; ++i)
+    for (int j = i + 1; j < n; ++j)
+      for (int k = j + 1; k < n; ++k) {
+        Matrix3d m;
+        m << normals.row(i), normals.row(j), normals.row(k);
+        if (std::abs(m.determinant()) < 1e-9) continue;
+        const Vector3d x = m.inverse() * Vector3d(offsets[i], offsets[j], offsets[k]);
+        bool outside = false;
+        for (int l = 0; l < n && !outside; ++l) outside = normals.row(l).dot(x) - offsets[l] > slack;
+        if (outside) continue;
+        for (const int f : {i, j, k}) corners_of[f].push_back(static_cast<int>(corners.size()));
+        corners.push_back(x);
+      }
+  Shape shape;
+  shape.positions.resize(static_cast<Eigen::Index>(corners.size()), 3);
+  for (size_t k = 0; k < corners.size(); ++k) shape.positions.row(k) = corners[k].transpose();
+  for (int i = 0; i < n; ++i) {
+    std::vector<int>& face = corners_of[i];
+    if (face.size() < 3) continue;
+    const Vector3d z = normals.row(i).transpose(), x = z.unitOrthogonal(), y = z.cross(x);
+    const Vector3d middle = centroid(shape.positions, face);
+    const auto angle = [&](int j) {
+      const Vector3d d = shape.positions.row(j).transpose() - middle;
+      return std::atan2(y.dot(d), x.dot(d));
+    };
+    std::sort(face.begin(), face.end(), [&](int a, int b) { return angle(a) < angle(b); });
+    shape.faces.push_back(face);
+  }
+  return shape;
+}
+
+// Tangent planes of a sphere at points spread evenly by the golden angle: a valence-3 dual of hexagons,
+// pentagons and heptagons, closed.
+inline Shape ball_of_tangent_planes(int panels, double radius) {
+  Points normals(panels, 3);
+  for (int i = 0; i < panels; ++i) {
+    const double z = 1.0 - (2.0 * i + 1.0) / panels, r = std::sqrt(1.0 - z * z);
+    const double turn = std::numbers::pi * (3.0 - std::sqrt(5.0)) * i;
+    normals.row(i) << r * std::cos(turn), r * std::sin(turn), z;
+  }
+  return body_of_planes(normals, Vector::Constant(panels, radius));
+}
+
+// 12 pentagons, 20 corners, inscribed radius 1.
+inline Shape dodecahedron() {
+  const double g = std::numbers::phi, s = 1.0 / std::sqrt(1.0 + g * g);
+  Points normals(12, 3);
+  int row = 0;
+  for (const double a : {1.0, -1.0})
+    for (const double b : {1.0, -1.0}) {
+      normals.row(row++) << 0, a, b * g;
+      normals.row(row++) << a, b * g, 0;
+      normals.row(row++) << b * g, 0, a;
+    }
+  return body_of_planes(normals * s, Vector::Ones(12));
+}
+
+// The faces of a shape without some of them: an open patch.
+inline Shape without_faces(const Shape& shape, int from, int to) {
+  Shape open{shape.positions, {}};
+  for (int i = 0; i < shape.faces.size(); ++i)
+    if (i < from || i >= to) open.faces.push_back(shape.faces[i]);
+  return open;
+}
+
+// n x n planar quads of the hyperbolic paraboloid's translational net z = x^2 - y^2 (valence 4).
+inline Shape saddle(int n, double bend) {
+  Shape shape = grid(n, n);
+  for (Eigen::Index k = 0; k < shape.positions.rows(); ++k) {
+    const double x = shape.positions(k, 0) - n / 2.0, y = shape.positions(k, 1) - n / 2.0;
+    shape.positions(k, 2) = bend * (x * x - y * y);
+  }
+  return shape;
+}
+
+}  // namespace planewright::test

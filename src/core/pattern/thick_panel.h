@@ -9,13 +9,19 @@
 //
 // Inner corners are where the mitre planes of two sides meet the inner plane. Blunted, and named:
 //   Spike: the inner corner lies farther than kBluntAt thicknesses from its outer corner: it is cut off, a
-//          triangle goes from the outer corner to the two points where the cut meets the mitre planes.
+//          triangle goes from the outer corner to the two points where the cut meets the mitre planes (the
+//          feet of the outer corner on both inner sides, which neighbours share). Only what sticks out is
+//          cut: a corner that lies so far *inside* the panel, and a notch, are named and stay, as every
+//          blunting may only take away from what the mitre planes enclose.
 //   LostSide: a side has no length left on the inner face (short edge, steep bevel): the sides beside it meet
-//          in one point and the side's face is a triangle.
-// Refused, and named: Collapsed: nothing is left of the inner or the outer face; Crosses: the outline crosses
-// itself. Those have no solid. Units: mm, relative to the model's origin. Indices 0-based. Threads: pure.
+//          in one point and the side's face is a triangle. With a gap that can be the outer face's, too.
+// Refused, and named: Collapsed: nothing simple is left of the inner or the outer face, or a neighbour is
+// folded onto the panel; Crosses: the outline crosses itself. Those have no solid. Units: mm, relative to the
+// model's origin. Indices 0-based. Threads: pure.
 #pragma once
 
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "core/workshop/workshop_model.h"
@@ -34,13 +40,15 @@ enum class ThicknessTrouble { Spike, LostSide, Collapsed, Crosses };
 struct ThicknessFinding {
   int panel;
   ThicknessTrouble trouble;
-  int corner = -1;      // Spike: the corner; LostSide: where the side begins; else -1
-  double wanted = 0.0;  // Spike: how far the inner corner would be, mm
+  int corner = -1;         // Spike: the corner; LostSide: where the side begins; else -1
+  double wanted = 0.0;     // Spike: how far the inner corner would be, mm
+  bool cut = true;         // Spike: false: it stays where it is, inside the panel
+  double thickness = 0.0;  // mm, of the settings
 };
 
 struct ThickPanel {
   int panel = -1;
-  Points points;  // outer corners first, then inner, mm
+  Points points;  // outer corners first, then inner, mm; both counter-clockwise seen from outside the panel
   int outer = 0;  // number of outer corners
   // Faces, counter-clockwise seen from outside the solid: [0] the outer face, [1] the inner, then the sides.
   // Closed: each directed edge once, its reverse once. Empty: the panel has no solid.
@@ -62,7 +70,8 @@ Result<ThickPanels> thicken(const WorkshopModel& model, const ThicknessSettings&
 std::string describe(const ThicknessFinding& finding, const WorkshopModel& model);
 
 // Pairs of panels (first < second, ascending) whose solids penetrate each other by more than `tolerance` mm;
-// touching is none.
+// touching is none. Depth: by how far their hulls overlap, at least, and, where those overlap, how far two of
+// their triangles have to move apart (diagnose/crossings.h) or how deep one solid lies within the other.
 std::vector<std::pair<int, int>> penetrating_solids(const ThickPanels& solids, double tolerance = 1e-6);
 
 }  // namespace planewright

@@ -3,7 +3,7 @@
 // Our own text for DXF (no library of Debian's writes it under a licence that goes with Ipopt's, and well:
 // dxflib is GPL; dime, which the certificate reads with, knows no $INSUNITS and nothing newer than R13),
 // pugixml for SVG, cairo for PDF. Units in every file: mm, 1:1 in DXF and SVG. Numbers are written with the
-// 17 digits that keep them exactly (DXF, SVG), whatever the locale. Threads: pure.
+// digits that keep them exactly (DXF, SVG), whatever the locale. Threads: pure.
 #pragma once
 
 #include <string>
@@ -13,6 +13,11 @@
 #include "core/pattern/drawing.h"
 
 namespace planewright {
+
+// What every writer demands: finite numbers, lines of two points and more (closed: three), texts of some
+// height. Refused, naming the drawing and the panel; only a fault of ours can make such a drawing.
+// format_dxf() and format_svg() of one throw std::invalid_argument where a number is not finite.
+Result<void> check_drawing(const Drawing& drawing);
 
 enum class DxfVersion { R12, R2000 };
 

@@ -9,7 +9,7 @@
 #include <random>
 
 #include "core/mesh/sample_shapes.h"
-#include "support/workshop_models.h"
+#include "support/panel_designs.h"
 
 namespace planewright {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "core/complex/dual.h"
 #include "core/mesh/sample_shapes.h"
-#include "support/workshop_models.h"
+#include "support/panel_designs.h"
 
 namespace planewright {
 namespace {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "support/workshop_models.h"
+#include "support/panel_designs.h"
 
 namespace planewright {
 namespace {

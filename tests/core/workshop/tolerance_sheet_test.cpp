@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "support/workshop_models.h"
+#include "support/panel_designs.h"
 
 namespace planewright {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "support/workshop_models.h"
+#include "support/panel_designs.h"
 
 namespace planewright {
 namespace {
