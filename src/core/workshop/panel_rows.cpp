@@ -16,13 +16,14 @@ namespace {
 
 using Eigen::Vector2d;
 
-constexpr double kLevel = 0.5;           // sine of the mean slope below which a model counts as flat
-constexpr double kRowGap = 0.55;         // of a panel's height: a gap between middles that parts rows
-constexpr double kRowHeight = 0.9;       // of a panel's height: middles of a row are no farther apart
-constexpr double kLeastBand = 0.1;       // of the mean height of panels: bands are no lower
-constexpr double kWidestGap = 150.0;     // degrees: a row that leaves no wider one open goes round
-constexpr double kNearlyUpright = 1.02;  // area, of the smallest rectangle
-constexpr double kRound = 1e-6;          // what is nearer than this (radians, model sizes) counts as equal
+constexpr double kLevel = 0.5;                 // sine of the mean slope below which a model counts as flat
+constexpr double kRowGap = 0.55;               // of a panel's height: a gap between middles that parts rows
+constexpr double kRowHeight = 0.9;             // of a panel's height: middles of a row are no farther apart
+constexpr double kLeastBand = 0.1;             // of the mean height of panels: bands are no lower
+constexpr double kWidestGap = 150.0;           // degrees: a row that leaves no wider one open goes round
+constexpr double kNearlyUpright = 1.02;        // area, of the smallest rectangle
+constexpr double kGrid = 1.618033988749895e6;  // steps of the model's size; no round number, nor near one
+constexpr double kRound = 1e-5;  // what is nearer than this (radians, model sizes) counts as equal
 
 // What the rules look at, of each panel. x: along rows, y: across them, z: up.
 struct Plan {
@@ -33,6 +34,20 @@ struct Plan {
   Vector2d centre{0, 0};  // of the middles' box
   Vector2d east{1, 0};    // the model's first axis: where numbers round the middle begin
 };
+
+// Whole multiples of a small part of the model's size. Regular designs lie on the edge of many a rule below
+// (heights that are equal, gaps that are as large as a panel): rounded first, they are decided alike in every
+// unit of length.
+Points on_grid(const Points& points, const Polygons& panels) {
+  Eigen::RowVector3d low = points.row(panels.indices()[0]), high = low;
+  for (const int v : panels.indices()) {
+    low = low.cwiseMin(points.row(v));
+    high = high.cwiseMax(points.row(v));
+  }
+  const double size = (high - low).norm();
+  if (!(size > 0.0)) return Points::Zero(points.rows(), 3);
+  return ((points.rowwise() - 0.5 * (low + high)) * (kGrid / size)).array().round().matrix();
+}
 
 // Horizontal: the model's first axis as it is seen from above, or its second if that is upright. Unit.
 Vector3d first_axis(const Vector3d& up) {
@@ -147,7 +162,7 @@ bool goes_round(const Plan& plan, const std::vector<int>& panels) {
   return widest < kWidestGap * std::numbers::pi / 180.0;
 }
 
-// Sorts by whole multiples of kRound, so that rounding of a unit changes no order.
+// Sorts by whole multiples of kRound: what is nearer than that is decided by the next key.
 void sort_row(const Plan& plan, std::vector<int>& row, bool round) {
   const auto steps = [&](double value) { return std::llround(value / (kRound * plan.size)); };
   const auto key = [&](int p) {
@@ -248,7 +263,7 @@ std::vector<int> order_row(const Plan& plan, std::vector<int> row, const std::ve
 
 std::vector<std::vector<int>> panel_rows(const Points& points, const Polygons& panels, const Vector3d& up) {
   if (panels.empty()) return {};
-  const Plan plan = make_plan(points, panels, up);
+  const Plan plan = make_plan(on_grid(points, panels), panels, up);
   const bool flat = plan.slope < kLevel;
   std::vector<std::vector<int>> rows = cut_bands(plan, flat ? 1 : 2);
   if (flat) {

@@ -226,7 +226,7 @@ TEST(Congruence, EveryPanelIsInOneClassAndClassesAreInOrder) {
   EXPECT_LT(classes.size(), seen.size());
 }
 
-// Laying each on all mothers takes half a minute here.
+// The bound is far above what it takes, and far below laying each on every mother.
 TEST(Congruence, TenThousandDifferentPanelsTakeNoLongerThanMustBe) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> offset(-60.0, 60.0);
