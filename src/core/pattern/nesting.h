@@ -1,4 +1,9 @@
-// Laying patterns on stock sheets, with libnest2d. Deterministic.
+// Laying patterns on stock sheets, by the no-fit polygons of libnest2d. Deterministic.
+//
+// Sheets are filled one after another with the parts that come next, so that neighbours lie near together; a
+// part that does not fit the sheet any more waits for the next. Each sheet is filled in several ways (along
+// its width, its height; parts turned by quarters from where their box is smallest), and the fullest is kept.
+// Parts count as their convex hulls, so none lies in another's notch.
 //
 // Units: mm. The sheet's corner is (0, 0). Threads: pure.
 #pragma once
