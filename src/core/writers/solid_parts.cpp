@@ -1,6 +1,6 @@
 #include "core/writers/solid_parts.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "core/mesh/triangulate.h"
 #include "core/writers/clean_text.h"
@@ -91,9 +91,12 @@ std::vector<std::array<int, 3>> triangles_of(const Points& points, const Polygon
 }
 
 Vector3d part_place(const Points& points, const Vector3d& origin) {
-  constexpr double kGrid = 125.0;
-  const Vector3d middle = (points.colwise().minCoeff() + points.colwise().maxCoeff()).transpose() / 2.0;
-  return ((middle + origin) / kGrid).array().round() * kGrid;
+  Vector3d place = (points.colwise().minCoeff() + points.colwise().maxCoeff()).transpose() / 2.0 + origin;
+  for (double& value : place) {
+    const double grid = std::abs(value) < 0.9e6 ? 125.0 : std::abs(value) < 0.9e7 ? 250.0 : 1000.0;
+    value = std::round(value / grid) * grid;
+  }
+  return place;
 }
 
 }  // namespace planewright

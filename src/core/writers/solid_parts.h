@@ -32,9 +32,9 @@ Result<void> check_solid_sources(const WorkshopModel& model, const ThickPanels& 
 // Faces cut into triangles over the corners that are there already, so that what is closed stays closed.
 std::vector<std::array<int, 3>> triangles_of(const Points& points, const Polygons& faces);
 
-// About the middle of the part, absolute, mm, on a grid of 125 mm (an eighth of a metre, so exact in single
-// precision in both units): what files of single precision lay a part's numbers round, so that few digits are
-// lost.
+// About the middle of the part, absolute, mm: what files of single precision lay a part's numbers round, so
+// that few digits are lost. On a grid of 125 mm (an eighth of a metre), coarser from 1 km on, so that single
+// precision holds it in either unit, and lib3mf, which writes six digits of it, too.
 Vector3d part_place(const Points& points, const Vector3d& origin);
 
 // Formats, each for both: `surface` says that the parts are panels of one surface with shared corners.
