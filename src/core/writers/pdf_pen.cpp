@@ -67,12 +67,14 @@ void PdfPen::line(double x0, double y0, double x1, double y1, double width, Grey
 void PdfPen::frame(const PageBox& box, double width, Grey grey) {
   set_grey(grey);
   cairo_set_line_width(cairo_, width);
+  cairo_new_path(cairo_);
   cairo_rectangle(cairo_, box.x, box.y, box.width, box.height);
   cairo_stroke(cairo_);
 }
 
 void PdfPen::fill(const PageBox& box, Grey grey) {
   set_grey(grey);
+  cairo_new_path(cairo_);
   cairo_rectangle(cairo_, box.x, box.y, box.width, box.height);
   cairo_fill(cairo_);
 }
@@ -80,6 +82,7 @@ void PdfPen::fill(const PageBox& box, Grey grey) {
 void PdfPen::polyline(const Contour& points, bool closed, double width, Grey grey) {
   set_grey(grey);
   cairo_set_line_width(cairo_, width);
+  cairo_new_path(cairo_);  // text leaves a point behind
   for (Eigen::Index i = 0; i < points.rows(); ++i) cairo_line_to(cairo_, points(i, 0), points(i, 1));
   if (closed) cairo_close_path(cairo_);
   cairo_stroke(cairo_);

@@ -77,7 +77,7 @@ void draw_sheet(PdfPen& pen, const Drawing& drawing, const PlacedDrawing& placed
   for (const DrawingText& text : drawing.texts) {
     const auto part = parts.find(text.panel);
     if (!text.is_name || part == parts.end()) continue;
-    const double reach = text.height * (1.5 + 0.5 * static_cast<double>(text.text.size()));
+    const double reach = text.height * (2.5 + 0.7 * static_cast<double>(text.text.size()));
     names.try_emplace(text.panel,
                       Enlargement{text.at, reach, enlarged(pen, text, part->second, placed.scale)});
   }

@@ -61,6 +61,58 @@ TEST(PdfWriter, HasAPagePerDrawingAndTextThatIsText) {
   for (const std::string& name : model.names) EXPECT_NE(page.find(name), std::string::npos) << name;
 }
 
+// [number of points, width, height in mm, closed] of each path stroked or filled on each page.
+constexpr const char* kPaths = R"(
+import sys, json, re, zlib
+pages = []
+for m in re.finditer(rb"stream\r?\n(.*?)\r?\nendstream", open(sys.argv[1], "rb").read(), re.S):
+    try: text = zlib.decompress(m.group(1)).decode("latin-1")
+    except zlib.error: continue
+    if " Tf" not in text: continue
+    paths, stack, points, scale = [], [], [], 1.0
+    scales = []
+    for w in text.split():
+        if w == "q": scales.append(scale)
+        elif w == "Q" and scales: scale = scales.pop()
+        elif w == "cm": scale *= abs(float(stack[-6]))
+        elif w == "m": points = [(float(stack[-2]), float(stack[-1]))]
+        elif w == "l": points.append((float(stack[-2]), float(stack[-1])))
+        elif w == "h" and points:
+            mm = scale * 25.4 / 72
+            xs, ys = zip(*points)
+            paths.append([len(points), (max(xs) - min(xs)) * mm, (max(ys) - min(ys)) * mm]); points = []
+        stack.append(w)
+    pages.append(paths)
+print(json.dumps(pages))
+)";
+
+TEST(PdfWriter, DrawsPartsAtTheScaleItWrites) {
+  const std::string python = python_with("zlib");
+  if (python.empty()) GTEST_SKIP() << "no python";
+  const WorkshopModel model = named_cube();
+  const Drawing drawing = hexagons(model, 3, 800.0, "Sheet 1");
+  const double scale = page_scale(drawing, {});
+  ASSERT_EQ(scale, 20.0);
+  const auto pdf = format_pdf(model, {drawing}, {}, {});
+  ASSERT_TRUE(pdf);
+  const nlohmann::json pages = read_with_python(python, kPaths, *pdf, "sheets.pdf");
+  ASSERT_EQ(pages.size(), 2u);
+  int cut = 0, engraved = 0;
+  const Eigen::RowVector2d size =
+      drawing.lines[1].points.colwise().maxCoeff() - drawing.lines[1].points.colwise().minCoeff();
+  for (const auto& path : pages[1]) {
+    if (path[0] != 6) {
+      EXPECT_EQ(path[0], 4) << "only the sheet's border, with no stray point";
+      continue;
+    }
+    const bool outer = std::abs(path[1].get<double>() - size.x() / scale) < 0.01 &&
+                       std::abs(path[2].get<double>() - size.y() / scale) < 0.01;
+    ++(outer ? cut : engraved);
+  }
+  EXPECT_EQ(cut, 6);
+  EXPECT_EQ(engraved, 6);
+}
+
 TEST(PdfWriter, OfNoDrawingsIsAnIndexAndOfBadOnesRefused) {
   const WorkshopModel model = named_cube();
   EXPECT_TRUE(format_pdf(model, {}, {}, {}));
