@@ -185,6 +185,30 @@ TEST(Architecture, OnlyTheCrossingsIncludeCgal) {
   EXPECT_GT(seen, 0);
 }
 
+// Who alone may include a library of the workshop's writers: the folder, or the one file, and that somebody
+// does.
+TEST(Architecture, OnlyTheWritersIncludeTheirLibraries) {
+  struct Rule {
+    std::vector<std::string> headers;
+    std::vector<std::string> files;
+  };
+  const std::vector<Rule> rules{
+      {{"cairo"}, {"core/writers/pdf_pen.h", "core/writers/pdf_pen.cpp", "core/writers/pdf_writer.cpp"}},
+      {{"pugixml"}, {"core/writers/svg_writer.cpp"}},
+      {{"Model/COM/", "lib3mf"}, {"core/writers/threemf_writer.cpp"}},
+      {{"tiny_gltf"}, {"core/writers/gltf_writer.cpp"}}};
+  for (const Rule& rule : rules) {
+    int seen = 0;
+    for (const Include& include : includes()) {
+      if (!starts_with_any(include.header, rule.headers)) continue;
+      EXPECT_NE(std::find(rule.files.begin(), rule.files.end(), include.file), rule.files.end())
+          << place(include);
+      ++seen;
+    }
+    EXPECT_GT(seen, 0) << rule.headers[0];
+  }
+}
+
 TEST(Architecture, OnlyTheMeshIncludesOpenMesh) {
   int seen = 0;
   for (const Include& include : includes()) {

@@ -13,8 +13,9 @@ namespace {
 
 // Height of the usual sans-serif faces' capital letters, parts of the font size.
 constexpr double kCapitalHeight = 0.716;
-// A hairline that is still seen on paper, mm.
-constexpr double kStroke = 0.2;
+// Lines are one pixel wide at any zoom, so that a sheet of 6 m and a part of 60 mm are both seen.
+constexpr double kStroke = 1.0;
+constexpr const char* kStyle = "path { vector-effect: non-scaling-stroke }";
 
 struct StringWriter : pugi::xml_writer {
   std::string text;
@@ -112,6 +113,8 @@ std::string format_svg(const WorkshopModel& model, const Drawing& drawing) {
   set(svg, "text-anchor", "middle");
   pugi::xml_node title = svg.append_child("title");
   title.text().set(clean_text(drawing.title).c_str());
+
+  svg.append_child("style").text().set(kStyle);
 
   std::vector<LayerGroup> layers;
   layers.reserve(kFileLayers.size());

@@ -1,0 +1,128 @@
+#include "core/writers/pdf_sheet.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace planewright {
+namespace {
+
+struct LineStyle {
+  double width;
+  Grey grey;
+};
+LineStyle style_of(DrawingLayer layer) {
+  switch (layer) {
+    case DrawingLayer::Cut:
+      return {0.25, kInk};
+    case DrawingLayer::Engrave:
+      return {0.13, kMiddleGrey};
+    case DrawingLayer::Sheet:
+      return {0.18, kPaleGrey};
+    case DrawingLayer::Text:
+      break;
+  }
+  return {0.13, kMiddleGrey};
+}
+
+// A name smaller than this on paper is written larger, as far as its part has room, mm.
+constexpr double kLegible = 1.8;
+// How much of its part's smaller side a larger name may take up, across and along.
+constexpr double kPartHeight = 0.22, kPartWidth = 0.6;
+
+struct Box {
+  Eigen::Vector2d low = Eigen::Vector2d::Constant(1e300), high = Eigen::Vector2d::Constant(-1e300);
+  void add(const Contour& points) {
+    low = low.cwiseMin(points.colwise().minCoeff().transpose());
+    high = high.cwiseMax(points.colwise().maxCoeff().transpose());
+  }
+  Eigen::Vector2d size() const { return high - low; }
+};
+
+// By how much a name's height grows on paper.
+double enlarged(PdfPen& pen, const DrawingText& text, const Box& part, double scale) {
+  const double height = text.height / scale;
+  if (height >= kLegible) return 1.0;
+  const double room = part.size().minCoeff() / scale;
+  const double per_height = std::max(pen.text_width(text.text, 1.0, true), 1e-9);
+  const double limit = std::min({kLegible, kPartHeight * room, kPartWidth * room / per_height});
+  return std::max(1.0, limit / height);
+}
+
+struct Enlargement {
+  Eigen::Vector2d about;
+  double reach, factor;  // mm of the drawing
+};
+
+// Strokes that stand with a name (its up mark, its engraved letters) grow with it; contours never do.
+bool goes_with(const DrawingLine& line, const Enlargement& name) {
+  if (line.layer != DrawingLayer::Engrave || line.closed) return false;
+  return (line.points.rowwise() - name.about.transpose()).rowwise().norm().maxCoeff() <= name.reach;
+}
+
+Eigen::Vector2d to_page(const Eigen::Vector2d& p, const Drawing& drawing, const PlacedDrawing& placed) {
+  const double n = placed.scale;
+  return {placed.area.x + (placed.area.width - drawing.width / n) / 2.0 + p.x() / n,
+          placed.area.y + (placed.area.height - drawing.height / n) / 2.0 + (drawing.height - p.y()) / n};
+}
+
+}  // namespace
+
+void draw_sheet(PdfPen& pen, const Drawing& drawing, const PlacedDrawing& placed) {
+  std::map<int, Box> parts;
+  for (const DrawingLine& line : drawing.lines)
+    if (line.layer == DrawingLayer::Cut) parts[line.panel].add(line.points);
+  std::map<int, Enlargement> names;
+  for (const DrawingText& text : drawing.texts) {
+    const auto part = parts.find(text.panel);
+    if (!text.is_name || part == parts.end()) continue;
+    const double reach = text.height * (2.5 + 0.7 * static_cast<double>(text.text.size()));
+    names.try_emplace(text.panel,
+                      Enlargement{text.at, reach, enlarged(pen, text, part->second, placed.scale)});
+  }
+  for (const DrawingLine& line : drawing.lines) {
+    const auto name = names.find(line.panel);
+    const bool grows = name != names.end() && name->second.factor > 1.0 && goes_with(line, name->second);
+    Contour points(line.points.rows(), 2);
+    for (Eigen::Index i = 0; i < points.rows(); ++i) {
+      Eigen::Vector2d p = line.points.row(i);
+      if (grows) p = name->second.about + name->second.factor * (p - name->second.about);
+      points.row(i) = to_page(p, drawing, placed);
+    }
+    const LineStyle style = style_of(line.layer);
+    pen.polyline(points, line.closed, style.width, style.grey);
+  }
+  for (const DrawingText& text : drawing.texts) {
+    const auto name = names.find(text.panel);
+    const double factor = text.is_name && name != names.end() ? name->second.factor : 1.0;
+    const Eigen::Vector2d at = to_page(text.at, drawing, placed);
+    pen.text_about(text.text, at.x(), at.y(), text.height / placed.scale * factor, text.rotation,
+                   text.is_name ? kInk : kMiddleGrey, text.is_name);
+  }
+}
+
+IndexRow index_row(const Drawing& drawing, int page, double scale) {
+  std::map<int, double> areas;
+  for (const DrawingLine& line : drawing.lines) {
+    if (line.layer != DrawingLayer::Cut || !line.closed) continue;
+    double twice = 0.0;
+    for (Eigen::Index i = 0, n = line.points.rows(); i < n; ++i) {
+      const auto a = line.points.row(i), b = line.points.row((i + 1) % n);
+      twice += a.x() * b.y() - a.y() * b.x();
+    }
+    areas[line.panel] = std::max(areas[line.panel], std::abs(twice) / 2.0);
+  }
+  double sum = 0.0;
+  for (const auto& [panel, area] : areas) sum += area;
+  const double whole = drawing.width * drawing.height;
+  return {page,
+          drawing.title,
+          drawing.width,
+          drawing.height,
+          static_cast<int>(areas.size()),
+          whole > 0.0 ? sum / whole : 0.0,
+          scale};
+}
+
+}  // namespace planewright
