@@ -1,0 +1,90 @@
+#include "core/certify/scene_reader.h"
+
+#include <assimp/scene.h>
+#include <assimp/version.h>
+
+#include <assimp/Importer.hpp>
+
+#include "core/certify/file_bytes.h"
+#include "core/certify/package_unit.h"
+
+namespace planewright {
+namespace {
+
+class Collector {
+ public:
+  explicit Collector(const aiScene& scene) : scene_(scene) {}
+
+  ReadMesh collect() {
+    walk(*scene_.mRootNode, aiMatrix4x4());
+    mesh_.points = Eigen::Map<const Points>(coordinates_.data(),
+                                            static_cast<Eigen::Index>(coordinates_.size() / 3), 3);
+    mesh_.single_precision = true;
+    return std::move(mesh_);
+  }
+
+ private:
+  void walk(const aiNode& node, const aiMatrix4x4& above) {
+    const aiMatrix4x4 here = above * node.mTransformation;
+    if (node.mNumMeshes > 0) {
+      const int object = static_cast<int>(mesh_.objects.size());
+      mesh_.objects.emplace_back(node.mName.C_Str());
+      for (unsigned i = 0; i < node.mNumMeshes; ++i) add(*scene_.mMeshes[node.mMeshes[i]], here, object);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i) walk(*node.mChildren[i], here);
+  }
+
+  void add(const aiMesh& part, const aiMatrix4x4& place, int object) {
+    const int first = static_cast<int>(coordinates_.size() / 3);
+    const bool moved = !place.IsIdentity(0.0f);
+    for (unsigned v = 0; v < part.mNumVertices; ++v) {
+      const aiVector3D p = moved ? place * part.mVertices[v] : part.mVertices[v];
+      coordinates_.insert(coordinates_.end(), {p.x, p.y, p.z});
+    }
+    std::vector<int> corners;
+    for (unsigned f = 0; f < part.mNumFaces; ++f) {
+      corners.clear();
+      for (unsigned k = 0; k < part.mFaces[f].mNumIndices; ++k)
+        corners.push_back(first + static_cast<int>(part.mFaces[f].mIndices[k]));
+      if (corners.size() < 3) continue;  // points and lines bound nothing
+      mesh_.faces.push_back(corners);
+      mesh_.object_of_face.push_back(object);
+    }
+  }
+
+  const aiScene& scene_;
+  std::vector<double> coordinates_;
+  ReadMesh mesh_;
+};
+
+}  // namespace
+
+std::string scene_reader_name() {
+  return "assimp " + std::to_string(aiGetVersionMajor()) + "." + std::to_string(aiGetVersionMinor()) + "." +
+         std::to_string(aiGetVersionPatch());
+}
+
+Result<ReadMesh> read_scene(const std::filesystem::path& path) {
+  const std::string name = path.filename().string();
+  if (const auto bytes = file_bytes(path); !bytes) return tl::unexpected(bytes.error());
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(path.string(), 0);
+  if (!scene || !scene->mRootNode || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE))
+    return fail(ErrorCode::Unreadable, scene ? "assimp finds it incomplete" : importer.GetErrorString(), name);
+  ReadMesh mesh = Collector(*scene).collect();
+  if (mesh.faces.empty()) return fail(ErrorCode::Unreadable, "no faces", name);
+  if (!mesh.points.allFinite()) return fail(ErrorCode::Unreadable, "a coordinate is not finite", name);
+  const std::string ending = path.extension().string();
+  if (ending == ".3mf") {
+    auto unit = package_unit(path);
+    if (!unit) return tl::unexpected(unit.error());
+    mesh.unit = std::move(*unit);
+  } else if (ending == ".gltf" || ending == ".glb") {
+    mesh.unit = "metre";
+  } else {
+    mesh.objects.clear();  // STL names the file alone
+  }
+  return mesh;
+}
+
+}  // namespace planewright
