@@ -36,7 +36,7 @@ class Collector {
 
   void add(const aiMesh& part, const aiMatrix4x4& place, int object) {
     const int first = static_cast<int>(coordinates_.size() / 3);
-    const bool moved = !place.IsIdentity(0.0f);
+    const bool moved = !place.IsIdentity();
     for (unsigned v = 0; v < part.mNumVertices; ++v) {
       const aiVector3D p = moved ? place * part.mVertices[v] : part.mVertices[v];
       coordinates_.insert(coordinates_.end(), {p.x, p.y, p.z});
