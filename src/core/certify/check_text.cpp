@@ -15,7 +15,8 @@ std::string counted(long long n) {
 
 std::string brief(double value) {
   std::array<char, 32> text;
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 3);
   return std::string(text.data(), end.ptr);
 }
 
@@ -23,7 +24,8 @@ std::string listed(const std::vector<std::string>& names) {
   constexpr size_t kShown = 5;
   std::string text;
   for (size_t i = 0; i < std::min(names.size(), kShown); ++i) text += (i == 0 ? "" : ", ") + names[i];
-  if (names.size() > kShown) text += " and " + counted(static_cast<long long>(names.size() - kShown)) + " more";
+  if (names.size() > kShown)
+    text += " and " + counted(static_cast<long long>(names.size() - kShown)) + " more";
   return text;
 }
 

@@ -15,8 +15,7 @@ constexpr double kNone = std::numeric_limits<double>::infinity();
 
 Box box_of(const Contour& c) {
   Box box = Box::Zero();
-  if (c.rows() > 0)
-    box << c.col(0).minCoeff(), c.col(1).minCoeff(), c.col(0).maxCoeff(), c.col(1).maxCoeff();
+  if (c.rows() > 0) box << c.col(0).minCoeff(), c.col(1).minCoeff(), c.col(0).maxCoeff(), c.col(1).maxCoeff();
   return box;
 }
 

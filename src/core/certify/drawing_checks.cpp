@@ -18,10 +18,14 @@ constexpr double kLimit = 1e-6;  // mm
 // The layers of the files, as drawing_writers.h lists them.
 std::string file_layer(DrawingLayer layer) {
   switch (layer) {
-    case DrawingLayer::Cut: return "CUT";
-    case DrawingLayer::Engrave: return "ENGRAVE";
-    case DrawingLayer::Text: return "TEXT";
-    case DrawingLayer::Sheet: return "SHEET";
+    case DrawingLayer::Cut:
+      return "CUT";
+    case DrawingLayer::Engrave:
+      return "ENGRAVE";
+    case DrawingLayer::Text:
+      return "TEXT";
+    case DrawingLayer::Sheet:
+      return "SHEET";
   }
   return {};
 }
@@ -73,8 +77,8 @@ Check scale(const ReadDrawing& read, const Lines& cut) {
   const auto middle = ratios.begin() + static_cast<std::ptrdiff_t>(ratios.size() / 2);
   std::nth_element(ratios.begin(), middle, ratios.end());
   return {"scale", std::abs(*middle - 1.0) <= 1e-9,
-          read.unit + "; a millimetre of the model is " + (*middle == 1.0 ? "1" : "1 + (" + brief(*middle - 1.0) + ")") +
-              " mm in the file"};
+          read.unit + "; a millimetre of the model is " +
+              (*middle == 1.0 ? "1" : "1 + (" + brief(*middle - 1.0) + ")") + " mm in the file"};
 }
 
 Check size(const ReadDrawing& read, const Drawing& drawing) {
@@ -98,15 +102,18 @@ Check lines_equal(std::string name, const Lines& closed, const Lines& open, cons
   for (const Lines* lines : {&closed, &open})
     for (size_t i = 0; i < lines->wanted.size(); ++i) {
       const ContourMatch& match = lines->matches[i];
-      if (match.read >= 0 && match.difference <= kLimit) ++right;
-      else wrong.push_back(lines->wanted[i]->panel >= 0
-                               ? model.names[static_cast<size_t>(lines->wanted[i]->panel)]
-                               : std::string("a line of no panel"));
+      if (match.read >= 0 && match.difference <= kLimit)
+        ++right;
+      else
+        wrong.push_back(lines->wanted[i]->panel >= 0
+                            ? model.names[static_cast<size_t>(lines->wanted[i]->panel)]
+                            : std::string("a line of no panel"));
       if (match.read >= 0) largest = std::max(largest, match.difference);
     }
-  const size_t wanted = closed.wanted.size() + open.wanted.size(), read = closed.read.size() + open.read.size();
-  std::string detail = counted(static_cast<long long>(right)) + " of " + counted(static_cast<long long>(wanted)) +
-                       ", " + against_limit(largest, kLimit, "mm");
+  const size_t wanted = closed.wanted.size() + open.wanted.size(),
+               read = closed.read.size() + open.read.size();
+  std::string detail = counted(static_cast<long long>(right)) + " of " +
+                       counted(static_cast<long long>(wanted)) + ", " + against_limit(largest, kLimit, "mm");
   if (read != wanted) detail += "; the file has " + counted(static_cast<long long>(read));
   if (!wrong.empty()) detail += "; wrong: " + listed(wrong);
   return {std::move(name), right == wanted && read == wanted, detail};
@@ -126,7 +133,8 @@ void shape_checks(const Lines& cut, const WorkshopModel& model, std::vector<Chec
     if (area_sign(read) != area_sign(cut.wanted[i]->points)) turned.push_back(name(i));
   }
   const std::string all = counted(static_cast<long long>(cut.wanted.size())) + " contours, exact";
-  checks.push_back({"simple contours", crossing.empty(), crossing.empty() ? all : "crossing: " + listed(crossing)});
+  checks.push_back(
+      {"simple contours", crossing.empty(), crossing.empty() ? all : "crossing: " + listed(crossing)});
   checks.push_back({"orientation", turned.empty(), turned.empty() ? all : "reversed: " + listed(turned)});
 }
 
@@ -139,8 +147,10 @@ Check layers(const ReadDrawing& read, const Drawing& drawing) {
   for (const std::string& layer : needed)
     if (!declared.contains(layer)) wrong.insert(layer + " is missing");
   const auto used = [&](const std::string& layer) {
-    if (!known.contains(layer)) wrong.insert("'" + layer + "' is no layer of ours");
-    else if (!declared.contains(layer)) wrong.insert(layer + " is not declared");
+    if (!known.contains(layer))
+      wrong.insert("'" + layer + "' is no layer of ours");
+    else if (!declared.contains(layer))
+      wrong.insert(layer + " is not declared");
   };
   for (const ReadLine& l : read.lines) used(l.layer);
   for (const ReadText& t : read.texts) used(t.layer);
@@ -159,14 +169,16 @@ void name_checks(const ReadDrawing& read, const Drawing& drawing, const Workshop
     const std::string& name = model.names[static_cast<size_t>(p)];
     panel_of[name] = p;
     const auto found = shown.names.find(name);
-    if (found == shown.names.end()) missing.push_back(name);
-    else if (found->second != 1) twice.push_back(name);
+    if (found == shown.names.end())
+      missing.push_back(name);
+    else if (found->second != 1)
+      twice.push_back(name);
   }
   for (const auto& [name, times] : shown.names)
     if (!panel_of.contains(name)) unknown.push_back(name);
   const bool pass = missing.empty() && twice.empty() && unknown.empty();
-  std::string detail = counted(static_cast<long long>(panels.size() - missing.size() - twice.size())) + " of " +
-                       counted(static_cast<long long>(panels.size())) + " names once";
+  std::string detail = counted(static_cast<long long>(panels.size() - missing.size() - twice.size())) +
+                       " of " + counted(static_cast<long long>(panels.size())) + " names once";
   if (!missing.empty()) detail += "; missing: " + listed(missing);
   if (!twice.empty()) detail += "; more than once: " + listed(twice);
   if (!unknown.empty()) detail += "; of no panel here: " + listed(unknown);
@@ -177,7 +189,8 @@ void name_checks(const ReadDrawing& read, const Drawing& drawing, const Workshop
     if (l.layer == DrawingLayer::Cut && l.closed && l.panel >= 0) outline.try_emplace(l.panel, &l.points);
   for (const ReadText& t : read.texts) {
     const auto known = panel_of.find(t.text);
-    if (is_name(t) && known != panel_of.end() && !covers(*outline.at(known->second), t.at)) astray.push_back(t.text);
+    if (is_name(t) && known != panel_of.end() && !covers(*outline.at(known->second), t.at))
+      astray.push_back(t.text);
   }
   checks.push_back({"names on their parts", astray.empty(),
                     astray.empty() ? "inside their contours, exact" : "outside: " + listed(astray)});
@@ -201,13 +214,15 @@ ShownParts shown_parts(const ReadDrawing& read) {
   return shown;
 }
 
-std::vector<Check> check_drawing(const ReadDrawing& read, const ExportContent& content, const Drawing& drawing) {
+std::vector<Check> check_drawing(const ReadDrawing& read, const ExportContent& content,
+                                 const Drawing& drawing) {
   std::vector<Check> checks;
   const WorkshopModel& model = *content.model;
   const auto both = [&](DrawingLayer layer) {
     return std::pair(lines_of(read, drawing, layer, true), lines_of(read, drawing, layer, false));
   };
-  const auto cut = both(DrawingLayer::Cut), engraved = both(DrawingLayer::Engrave), sheet = both(DrawingLayer::Sheet);
+  const auto cut = both(DrawingLayer::Cut), engraved = both(DrawingLayer::Engrave),
+             sheet = both(DrawingLayer::Sheet);
   checks.push_back(scale(read, cut.first));
   checks.push_back(size(read, drawing));
   checks.push_back(layers(read, drawing));
@@ -237,8 +252,10 @@ std::vector<Check> check_all_parts(const std::vector<ShownParts>& files, const E
     const auto found = seen.find(name);
     const int times = found == seen.end() ? 0 : found->second;
     parts += wanted;
-    if (times == wanted) right += wanted;
-    else wrong.push_back(name + " " + std::to_string(times) + " times");
+    if (times == wanted)
+      right += wanted;
+    else
+      wrong.push_back(name + " " + std::to_string(times) + " times");
   }
   std::string names = counted(right) + " of " + counted(parts) + " names";
   if (!wrong.empty()) names += "; " + listed(wrong);

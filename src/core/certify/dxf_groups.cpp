@@ -61,13 +61,20 @@ std::string decoded(std::string_view text) {
 // $INSUNITS of AutoCAD, those that are lengths a workshop uses.
 std::optional<double> millimetres_per_insunit(int code) {
   switch (code) {
-    case 1: return 25.4;
-    case 2: return 304.8;
-    case 4: return 1.0;
-    case 5: return 10.0;
-    case 6: return 1000.0;
-    case 14: return 100.0;
-    default: return {};
+    case 1:
+      return 25.4;
+    case 2:
+      return 304.8;
+    case 4:
+      return 1.0;
+    case 5:
+      return 10.0;
+    case 6:
+      return 1000.0;
+    case 14:
+      return 100.0;
+    default:
+      return {};
   }
 }
 

@@ -67,7 +67,8 @@ bool note(const dimeState*, dimeEntity* entity, void* data) {
       all.texts.push_back(std::move(seen));
       break;
     }
-    default: break;
+    default:
+      break;
   }
   return true;
 }

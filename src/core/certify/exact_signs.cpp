@@ -90,8 +90,8 @@ int area_sign(const Contour& contour) {
   Rational exact_sum = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::Index k = (i + 1) % n;
-    exact_sum += Rational(contour(i, 0)) * Rational(contour(k, 1)) -
-                 Rational(contour(k, 0)) * Rational(contour(i, 1));
+    exact_sum +=
+        Rational(contour(i, 0)) * Rational(contour(k, 1)) - Rational(contour(k, 0)) * Rational(contour(i, 1));
   }
   return exact_sum.sign();
 }

@@ -11,7 +11,8 @@ Result<std::string> file_bytes(const std::filesystem::path& path) {
     return fail(ErrorCode::Unreadable, "the file is not there", path.filename().string());
   std::ifstream in(path, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in && !in.eof()) return fail(ErrorCode::Unreadable, "the file cannot be read", path.filename().string());
+  if (!in && !in.eof())
+    return fail(ErrorCode::Unreadable, "the file cannot be read", path.filename().string());
   if (bytes.empty()) return fail(ErrorCode::Unreadable, "the file is empty", path.filename().string());
   return bytes;
 }

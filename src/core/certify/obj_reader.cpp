@@ -56,7 +56,8 @@ Result<ReadMesh> read_obj_file(const std::filesystem::path& path) {
       for (size_t k = 0; k < valence; ++k) {
         const int index = shape.mesh.indices[at++].vertex_index;
         if (index < 0 || index >= count)
-          return fail(ErrorCode::Unreadable, "a face of '" + shape.name + "' has a corner that is not there", name);
+          return fail(ErrorCode::Unreadable, "a face of '" + shape.name + "' has a corner that is not there",
+                      name);
         face.push_back(index);
       }
       mesh.faces.push_back(face);

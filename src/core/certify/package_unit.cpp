@@ -40,8 +40,8 @@ Result<std::string> package_unit(const std::filesystem::path& path) {
   if (!package) return fail(ErrorCode::Unreadable, "it is no package", name);
   for (int at = unzGoToFirstFile(package.get()); at == UNZ_OK; at = unzGoToNextFile(package.get())) {
     std::string entry(512, '\0');
-    if (unzGetCurrentFileInfo64(package.get(), nullptr, entry.data(), entry.size() - 1, nullptr, 0, nullptr, 0) !=
-        UNZ_OK)
+    if (unzGetCurrentFileInfo64(package.get(), nullptr, entry.data(), entry.size() - 1, nullptr, 0, nullptr,
+                                0) != UNZ_OK)
       break;
     entry.resize(entry.find('\0'));
     if (!entry.ends_with(".model")) continue;

@@ -69,7 +69,8 @@ class PageMatch {
       const Vector2d corner = lower_left(wanted_[first]->points);
       for (const auto& [at, j] : corners_) {
         const Vector2d shift = at - corner;
-        if (border_distance(wanted_[first]->points.rowwise() + shift.transpose(), read_[j]) > limit_) continue;
+        if (border_distance(wanted_[first]->points.rowwise() + shift.transpose(), read_[j]) > limit_)
+          continue;
         // How many lie right says which one it is; most often the first that fits.
         Place place = laid(shift);
         if (place.found > best.found || best.found == 0) best = std::move(place);
@@ -91,15 +92,18 @@ class PageMatch {
       const auto begin = std::lower_bound(corners_.begin(), corners_.end(), corner.x() - 2.0 * limit_,
                                           [](const auto& c, double x) { return c.first.x() < x; });
       bool found = false;
-      for (auto at = begin; at != corners_.end() && at->first.x() <= corner.x() + 2.0 * limit_ && !found; ++at) {
+      for (auto at = begin; at != corners_.end() && at->first.x() <= corner.x() + 2.0 * limit_ && !found;
+           ++at) {
         if (used[at->second] || std::abs(at->first.y() - corner.y()) > 2.0 * limit_) continue;
         const double far = border_distance(moved, read_[at->second]);
         if (far > 2.0 * limit_) continue;  // the shift itself is rounded, too
         found = used[at->second] = true;
         place.largest = std::max(place.largest, far);
       }
-      if (found) ++place.found;
-      else place.lost.push_back(line->panel);
+      if (found)
+        ++place.found;
+      else
+        place.lost.push_back(line->panel);
     }
     return place;
   }
@@ -111,8 +115,8 @@ class PageMatch {
 };
 
 // Names whose text does not begin inside their contour exactly once.
-std::vector<std::string> names_astray(const ReadPage& page, const Drawing& drawing, const WorkshopModel& model,
-                                      double scale, const Vector2d& shift) {
+std::vector<std::string> names_astray(const ReadPage& page, const Drawing& drawing,
+                                      const WorkshopModel& model, double scale, const Vector2d& shift) {
   std::multimap<std::string, Vector2d> texts;
   for (const ReadText& t : page.texts) texts.emplace(t.text, t.at * scale - shift);
   std::vector<std::string> astray;
@@ -174,7 +178,8 @@ std::vector<Check> check_pdf(const std::vector<ReadPage>& pages, const ExportCon
     found += best->found;
     largest = std::max(largest, best->largest);
     for (const int p : best->lost)
-      lost.push_back((p >= 0 ? content.model->names[static_cast<size_t>(p)] : std::string("a contour")) + " (" + where + ")");
+      lost.push_back((p >= 0 ? content.model->names[static_cast<size_t>(p)] : std::string("a contour")) +
+                     " (" + where + ")");
     for (const std::string& name : names_astray(page, drawing, *content.model, scale, best->shift))
       astray.push_back(name + " (" + where + ")");
   }
@@ -182,7 +187,8 @@ std::vector<Check> check_pdf(const std::vector<ReadPage>& pages, const ExportCon
   checks.push_back({"scale", any && no_scale.empty(),
                     no_scale.empty() ? "as written on each page, 1:" + brief(coarsest) + " at the coarsest"
                                      : "no scale is written that the drawing has: " + listed(no_scale)});
-  std::string shapes = counted(static_cast<long long>(found)) + " of " + counted(static_cast<long long>(contours)) + ", " +
+  std::string shapes = counted(static_cast<long long>(found)) + " of " +
+                       counted(static_cast<long long>(contours)) + ", " +
                        against_limit(largest, limit, "mm") + ": PDF rounds on paper";
   if (!lost.empty()) shapes += "; lost: " + listed(lost);
   checks.push_back({"contours", any && found == contours, shapes});

@@ -122,7 +122,8 @@ void PdfFont::read_map(const std::string& map) {
 void PdfFont::read_widths(QPDFObjectHandle font) {
   if (QPDFObjectHandle matrix = font.getKey("/FontMatrix"); matrix.isArray() && matrix.getArrayNItems() == 6)
     unit_ = matrix.getArrayItem(0).getNumericValue();
-  if (QPDFObjectHandle widths = font.getKey("/Widths"); widths.isArray() && font.getKey("/FirstChar").isInteger()) {
+  if (QPDFObjectHandle widths = font.getKey("/Widths");
+      widths.isArray() && font.getKey("/FirstChar").isInteger()) {
     const auto first = static_cast<unsigned>(font.getKey("/FirstChar").getIntValueAsInt());
     for (int i = 0; i < widths.getArrayNItems(); ++i)
       if (widths.getArrayItem(i).isNumber())
@@ -143,7 +144,8 @@ void PdfFont::read_widths(QPDFObjectHandle font) {
         if (list.getArrayItem(k).isNumber())
           width_[first + static_cast<unsigned>(k)] = list.getArrayItem(k).getNumericValue();
       i += 2;
-    } else if (i + 2 < w.getArrayNItems() && w.getArrayItem(i + 1).isInteger() && w.getArrayItem(i + 2).isNumber()) {
+    } else if (i + 2 < w.getArrayNItems() && w.getArrayItem(i + 1).isInteger() &&
+               w.getArrayItem(i + 2).isNumber()) {
       const auto last = static_cast<unsigned>(w.getArrayItem(i + 1).getIntValueAsInt());
       for (unsigned code = first; code <= last && code - first < 65536; ++code)
         width_[code] = w.getArrayItem(i + 2).getNumericValue();

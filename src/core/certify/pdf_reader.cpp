@@ -57,7 +57,8 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
 
  private:
   double number(size_t i) const {
-    if (i >= operands_.size() || !QPDFObjectHandle(operands_[i]).isNumber()) throw Unfollowed{"an operator without its numbers"};
+    if (i >= operands_.size() || !QPDFObjectHandle(operands_[i]).isNumber())
+      throw Unfollowed{"an operator without its numbers"};
     return QPDFObjectHandle(operands_[i]).getNumericValue();
   }
   Vector2d point(size_t i) const { return {number(i), number(i + 1)}; }
@@ -202,7 +203,8 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
   void set_font() {
     if (operands_.size() != 2 || !operands_[0].isName()) throw Unfollowed{"'Tf' without a font"};
     state_.text.size = number(1);
-    QPDFObjectHandle fonts = resources_.isDictionary() ? resources_.getKey("/Font") : QPDFObjectHandle::newNull();
+    QPDFObjectHandle fonts =
+        resources_.isDictionary() ? resources_.getKey("/Font") : QPDFObjectHandle::newNull();
     const std::string name = operands_[0].getName();
     if (!fonts.isDictionary() || !fonts.hasKey(name)) throw Unfollowed{"a font that is not there"};
     auto known = fonts_.find(name);
@@ -230,7 +232,8 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
   void form() {
     if (operands_.empty() || !operands_[0].isName() || !resources_.isDictionary()) return;
     QPDFObjectHandle objects = resources_.getKey("/XObject");
-    if (!objects.isDictionary() || !objects.hasKey(operands_[0].getName())) throw Unfollowed{"a form that is not there"};
+    if (!objects.isDictionary() || !objects.hasKey(operands_[0].getName()))
+      throw Unfollowed{"a form that is not there"};
     QPDFObjectHandle object = objects.getKey(operands_[0].getName());
     if (!object.isStream() || !object.getDict().getKey("/Subtype").isNameAndEquals("/Form")) return;
     if (depth_ > 8) throw Unfollowed{"forms inside forms without end"};
@@ -285,8 +288,10 @@ Result<std::vector<ReadPage>> read_pdf(const std::filesystem::path& path) {
     pdf.setAttemptRecovery(false);
     pdf.processFile(path.c_str());
     std::vector<ReadPage> pages;
-    for (QPDFPageObjectHelper& helper : QPDFPageDocumentHelper(pdf).getAllPages()) pages.push_back(read_page(helper));
-    if (pdf.anyWarnings()) return fail(ErrorCode::Unreadable, pdf.getWarnings().front().getMessageDetail(), name);
+    for (QPDFPageObjectHelper& helper : QPDFPageDocumentHelper(pdf).getAllPages())
+      pages.push_back(read_page(helper));
+    if (pdf.anyWarnings())
+      return fail(ErrorCode::Unreadable, pdf.getWarnings().front().getMessageDetail(), name);
     return pages;
   } catch (const Unfollowed& unfollowed) {
     return fail(ErrorCode::Unreadable, unfollowed.what, name);

@@ -66,7 +66,8 @@ class Reader {
         if (auto done = entry(e, i); !done) return tl::unexpected(done.error());
     if (encoding_ == Encoding::Text) skip_blanks();
     if (at_ != content_.size()) return error("more data than the header says");
-    mesh_.points = Eigen::Map<const Points>(coordinates_.data(), static_cast<Eigen::Index>(coordinates_.size() / 3), 3);
+    mesh_.points =
+        Eigen::Map<const Points>(coordinates_.data(), static_cast<Eigen::Index>(coordinates_.size() / 3), 3);
     if (!mesh_.points.allFinite()) return error("a coordinate is not finite");
     for (const int corner : mesh_.faces.indices())
       if (corner < 0 || corner >= mesh_.points.rows()) return error("a face has a corner that is not there");
@@ -89,7 +90,8 @@ class Reader {
 
   Result<void> header() {
     const auto magic = next_line();
-    if (!magic || words(*magic) != std::vector<std::string_view>{"ply"}) return error("it does not begin with 'ply'");
+    if (!magic || words(*magic) != std::vector<std::string_view>{"ply"})
+      return error("it does not begin with 'ply'");
     while (true) {
       const auto line = next_line();
       if (!line) return error("the header does not end");
@@ -99,10 +101,14 @@ class Reader {
       if (w[0] == "comment" || w[0] == "obj_info") {
         comment(w);
       } else if (w[0] == "format" && w.size() >= 2) {
-        if (w[1] == "ascii") encoding_ = Encoding::Text;
-        else if (w[1] == "binary_little_endian") encoding_ = Encoding::Little;
-        else if (w[1] == "binary_big_endian") encoding_ = Encoding::Big;
-        else return error("an unknown format");
+        if (w[1] == "ascii")
+          encoding_ = Encoding::Text;
+        else if (w[1] == "binary_little_endian")
+          encoding_ = Encoding::Little;
+        else if (w[1] == "binary_big_endian")
+          encoding_ = Encoding::Big;
+        else
+          return error("an unknown format");
       } else if (w[0] == "element" && w.size() == 3) {
         Element e{std::string(w[1]), 0, {}};
         const auto end = std::from_chars(w[2].data(), w[2].data() + w[2].size(), e.count);
@@ -130,7 +136,8 @@ class Reader {
       p.count = type_of(w[2]);
       if (!p.count) return error("a property of unknown type");
     }
-    if (elements_.back().name == "vertex" && p.type.kind == 'f' && p.type.bytes == 4) mesh_.single_precision = true;
+    if (elements_.back().name == "vertex" && p.type.kind == 'f' && p.type.bytes == 4)
+      mesh_.single_precision = true;
     elements_.back().properties.push_back(std::move(p));
     return {};
   }

@@ -17,8 +17,8 @@ class Collector {
 
   ReadMesh collect() {
     walk(*scene_.mRootNode, aiMatrix4x4());
-    mesh_.points = Eigen::Map<const Points>(coordinates_.data(),
-                                            static_cast<Eigen::Index>(coordinates_.size() / 3), 3);
+    mesh_.points =
+        Eigen::Map<const Points>(coordinates_.data(), static_cast<Eigen::Index>(coordinates_.size() / 3), 3);
     mesh_.single_precision = true;
     return std::move(mesh_);
   }
@@ -36,11 +36,14 @@ class Collector {
 
   void add(const aiMesh& part, const aiMatrix4x4& place, int object) {
     const int first = static_cast<int>(coordinates_.size() / 3);
-    const bool moved = !place.IsIdentity();
-    for (unsigned v = 0; v < part.mNumVertices; ++v) {
-      const aiVector3D p = moved ? place * part.mVertices[v] : part.mVertices[v];
-      coordinates_.insert(coordinates_.end(), {p.x, p.y, p.z});
-    }
+    // In double, so that nothing of the part's own digits is lost where it stands far from 0.
+    const auto moved = [&](unsigned row, const aiVector3D& p) {
+      const auto* m = place[row];
+      return static_cast<double>(m[0]) * p.x + static_cast<double>(m[1]) * p.y +
+             static_cast<double>(m[2]) * p.z + static_cast<double>(m[3]);
+    };
+    for (unsigned v = 0; v < part.mNumVertices; ++v)
+      for (unsigned row = 0; row < 3; ++row) coordinates_.push_back(moved(row, part.mVertices[v]));
     std::vector<int> corners;
     for (unsigned f = 0; f < part.mNumFaces; ++f) {
       corners.clear();
@@ -70,7 +73,8 @@ Result<ReadMesh> read_scene(const std::filesystem::path& path) {
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path.string(), 0);
   if (!scene || !scene->mRootNode || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE))
-    return fail(ErrorCode::Unreadable, scene ? "assimp finds it incomplete" : importer.GetErrorString(), name);
+    return fail(ErrorCode::Unreadable, scene ? "assimp finds it incomplete" : importer.GetErrorString(),
+                name);
   ReadMesh mesh = Collector(*scene).collect();
   if (mesh.faces.empty()) return fail(ErrorCode::Unreadable, "no faces", name);
   if (!mesh.points.allFinite()) return fail(ErrorCode::Unreadable, "a coordinate is not finite", name);

@@ -48,7 +48,8 @@ class Reader {
   explicit Reader(std::string name) : name_(std::move(name)) {}
 
   Result<ReadDrawing> read(const xmlNode* root) {
-    if (tag(root) != "svg") return error("the outermost element is '" + std::string(tag(root)) + "', not svg", root);
+    if (tag(root) != "svg")
+      return error("the outermost element is '" + std::string(tag(root)) + "', not svg", root);
     Around around;
     if (auto framed = frame(root, around); !framed) return tl::unexpected(framed.error());
     if (auto done = children(root, around); !done) return tl::unexpected(done.error());
@@ -77,7 +78,8 @@ class Reader {
     }
     const double x = *width / box[2], y = *height / box[3];
     if (std::abs(x / y - 1.0) > 1e-9) return error("the scale of viewBox differs between x and y", root);
-    drawing_.unit = "width " + width_text + ", height " + height_text + ", viewBox " + box_text.value_or("none");
+    drawing_.unit =
+        "width " + width_text + ", height " + height_text + ", viewBox " + box_text.value_or("none");
     drawing_.mm_per_unit = x;
     drawing_.size = Vector2d(*width, *height);
     around.transform.matrix() << x, 0.0, -x * box[0], 0.0, -y, y * (box[1] + box[3]), 0.0, 0.0, 1.0;
@@ -148,7 +150,8 @@ class Reader {
     const auto text = attribute(node, name);
     if (!text) return 0.0;
     const auto values = svg_numbers(*text);
-    if (!values || values->size() != 1) return error(std::string(name) + " '" + *text + "' is no number", node);
+    if (!values || values->size() != 1)
+      return error(std::string(name) + " '" + *text + "' is no number", node);
     return values->front();
   }
   Result<void> line(const xmlNode* node, const Around& around) {
@@ -196,10 +199,9 @@ Result<ReadDrawing> read_svg(const std::filesystem::path& path) {
   if (!bytes) return tl::unexpected(bytes.error());
   const std::string name = path.filename().string();
   // No network, no entities from elsewhere, nothing on the terminal.
-  const std::unique_ptr<xmlDoc, FreeDocument> document(
-      xmlReadMemory(bytes->data(), static_cast<int>(bytes->size()), name.c_str(), nullptr,
-                    XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_BIG_LINES |
-                        XML_PARSE_HUGE));
+  const std::unique_ptr<xmlDoc, FreeDocument> document(xmlReadMemory(
+      bytes->data(), static_cast<int>(bytes->size()), name.c_str(), nullptr,
+      XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_BIG_LINES | XML_PARSE_HUGE));
   const xmlNode* root = document ? xmlDocGetRootElement(document.get()) : nullptr;
   if (!root) {
     const xmlError* why = xmlGetLastError();

@@ -1,5 +1,5 @@
-// SVG by libxml2: groups, transforms, polygon, polyline, line, rect, path (straight pieces), text; millimetres
-// from width, height and viewBox. Internal to certify/.
+// SVG by libxml2: groups, transforms, polygon, polyline, line, rect, path (straight pieces), text;
+// millimetres from width, height and viewBox. Internal to certify/.
 #pragma once
 
 #include <filesystem>
