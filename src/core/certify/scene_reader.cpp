@@ -6,7 +6,7 @@
 #include <assimp/Importer.hpp>
 
 #include "core/certify/file_bytes.h"
-#include "core/certify/package_unit.h"
+#include "core/certify/package_info.h"
 
 namespace planewright {
 namespace {
@@ -80,9 +80,15 @@ Result<ReadMesh> read_scene(const std::filesystem::path& path) {
   if (!mesh.points.allFinite()) return fail(ErrorCode::Unreadable, "a coordinate is not finite", name);
   const std::string ending = path.extension().string();
   if (ending == ".3mf") {
-    auto unit = package_unit(path);
-    if (!unit) return tl::unexpected(unit.error());
-    mesh.unit = std::move(*unit);
+    const auto package = read_package(path);
+    if (!package) return tl::unexpected(package.error());
+    mesh.unit = package->unit;
+    // assimp calls an object by its id.
+    for (std::string& object : mesh.objects)
+      if (const std::string called = "Object_"; object.starts_with(called))
+        if (const auto named = package->names.find(object.substr(called.size()));
+            named != package->names.end())
+          object = named->second;
   } else if (ending == ".gltf" || ending == ".glb") {
     mesh.unit = "metre";
   } else {

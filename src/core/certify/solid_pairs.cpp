@@ -91,30 +91,26 @@ double winding(const ThickPanel& solid, const Vector3d& p) {
   return angle / (4.0 * std::numbers::pi);
 }
 
-// A point inside: behind the middle of the largest triangle of the outer face, by half the way through.
-std::optional<Vector3d> point_inside(const ThickPanel& solid) {
-  const std::vector<int> outer{0};
-  Vector3d best = Vector3d::Zero(), behind = best;
-  double largest = 0.0;
-  for (const auto& t : fans(solid.faces, outer)) {
-    const Vector3d a = solid.points.row(t[0]), b = solid.points.row(t[1]), c = solid.points.row(t[2]);
+// Whether a face of s has a place inside t: the middle of one of its triangles, moved into s by the
+// tolerance. Finds what no crossing of triangles tells: solids that share planes, or lie in one another.
+bool reaches_into(const ThickPanel& s, const ThickPanel& t, double tolerance) {
+  Box box;
+  for (Eigen::Index i = 0; i < t.points.rows(); ++i) box.extend(t.points.row(i).transpose());
+  for (const auto& corners : fans(s.faces, all_of(s.faces))) {
+    const Vector3d a = s.points.row(corners[0]), b = s.points.row(corners[1]), c = s.points.row(corners[2]);
     const Vector3d area = (b - a).cross(c - a);
-    if (area.norm() <= largest || area.dot(newell_vector(solid.points, solid.faces[0])) <= 0.0) continue;
-    largest = area.norm();
-    best = (a + b + c) / 3.0;
-    behind = -area / largest;
+    const double twice = area.norm();
+    if (!(twice > 0.0)) continue;
+    const Vector3d place = (a + b + c) / 3.0 - area * (tolerance / twice);
+    // The fan of a concave face has triangles that lie outside of it.
+    if (box.contains(place) && winding(s, place) > 0.5 && winding(t, place) > 0.5) return true;
   }
-  double depth = 0.0;
-  for (Eigen::Index i = 0; i < solid.points.rows(); ++i)
-    depth = std::max(depth, (solid.points.row(i).transpose() - best).dot(behind));
-  if (largest == 0.0 || depth == 0.0) return {};
-  return best + 0.5 * depth * behind;
+  return false;
 }
 
 bool penetrate(const ThickPanel& s, const ThickPanel& t, double tolerance) {
-  if (!find_crossings({s.points, s.faces}, {t.points, t.faces}, tolerance).empty()) return true;
-  const auto in_s = point_inside(s), in_t = point_inside(t);
-  return (in_s && winding(t, *in_s) > 0.5) || (in_t && winding(s, *in_t) > 0.5);
+  return !find_crossings({s.points, s.faces}, {t.points, t.faces}, tolerance).empty() ||
+         reaches_into(s, t, tolerance) || reaches_into(t, s, tolerance);
 }
 
 }  // namespace

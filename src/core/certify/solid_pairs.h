@@ -2,7 +2,8 @@
 //
 // A pair is apart if a plane has one on either side, decided by exact predicates: the mitre plane of an edge
 // that both share, or a face's plane of either, moved by the tolerance. What no plane parts has its triangles
-// tested against each other (find_crossings) and, if none cross, whether one lies inside the other. Units:
+// tested against each other (find_crossings) and, if none cross, the middles of faces for being inside the
+// other. Units:
 // mm. Threads: pure.
 #pragma once
 

@@ -1,10 +1,12 @@
-#include "core/certify/package_unit.h"
+#include "core/certify/package_info.h"
 
 #include <libxml/xmlreader.h>
 #include <minizip/unzip.h>
 
 #include <memory>
 #include <optional>
+#include <string_view>
+#include <utility>
 
 namespace planewright {
 namespace {
@@ -32,9 +34,37 @@ std::optional<std::string> unpacked(unzFile package) {
   return bytes;
 }
 
+std::optional<std::string> attribute(xmlTextReader* reader, const char* name) {
+  const std::unique_ptr<xmlChar, FreeText> text(
+      xmlTextReaderGetAttribute(reader, reinterpret_cast<const xmlChar*>(name)));
+  if (!text) return {};
+  return std::string(reinterpret_cast<const char*>(text.get()));
+}
+
+// Nothing: the model is no XML, or breaks off.
+std::optional<PackageInfo> scanned(const std::string& model) {
+  const std::unique_ptr<xmlTextReader, FreeReader> reader(
+      xmlReaderForMemory(model.data(), static_cast<int>(model.size()), nullptr, nullptr,
+                         XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_HUGE));
+  if (!reader) return {};
+  PackageInfo info;
+  int read = 0;
+  while ((read = xmlTextReaderRead(reader.get())) == 1) {
+    if (xmlTextReaderNodeType(reader.get()) != XML_READER_TYPE_ELEMENT) continue;
+    const std::string_view element = reinterpret_cast<const char*>(xmlTextReaderConstLocalName(reader.get()));
+    if (element == "model") {
+      info.unit = attribute(reader.get(), "unit").value_or(info.unit);
+    } else if (element == "object") {
+      info.names[attribute(reader.get(), "id").value_or("")] = attribute(reader.get(), "name").value_or("");
+    }
+  }
+  if (read != 0) return {};
+  return info;
+}
+
 }  // namespace
 
-Result<std::string> package_unit(const std::filesystem::path& path) {
+Result<PackageInfo> read_package(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   const std::unique_ptr<void, ClosePackage> package(unzOpen64(path.c_str()));
   if (!package) return fail(ErrorCode::Unreadable, "it is no package", name);
@@ -47,16 +77,9 @@ Result<std::string> package_unit(const std::filesystem::path& path) {
     if (!entry.ends_with(".model")) continue;
     const auto bytes = unpacked(package.get());
     if (!bytes) return fail(ErrorCode::Unreadable, "its model does not unpack", name);
-    const std::unique_ptr<xmlTextReader, FreeReader> reader(
-        xmlReaderForMemory(bytes->data(), static_cast<int>(bytes->size()), entry.c_str(), nullptr,
-                           XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | XML_PARSE_HUGE));
-    while (reader && xmlTextReaderRead(reader.get()) == 1) {
-      if (xmlTextReaderNodeType(reader.get()) != XML_READER_TYPE_ELEMENT) continue;
-      const std::unique_ptr<xmlChar, FreeText> unit(
-          xmlTextReaderGetAttribute(reader.get(), reinterpret_cast<const xmlChar*>("unit")));
-      return unit ? std::string(reinterpret_cast<const char*>(unit.get())) : std::string("millimeter");
-    }
-    return fail(ErrorCode::Unreadable, "its model is no XML", name);
+    auto info = scanned(*bytes);
+    if (!info) return fail(ErrorCode::Unreadable, "its model is no XML", name);
+    return std::move(*info);
   }
   return fail(ErrorCode::Unreadable, "no model in the package", name);
 }
