@@ -43,6 +43,7 @@ pkg_check_modules(LIBXML2 REQUIRED IMPORTED_TARGET libxml-2.0)
 pkg_check_modules(QPDF REQUIRED IMPORTED_TARGET libqpdf)
 find_library(TINYOBJLOADER_DOUBLE_LIBRARY tinyobjloader_double REQUIRED)
 pkg_check_modules(ASSIMP REQUIRED IMPORTED_TARGET assimp)
+pkg_check_modules(MINIZIP REQUIRED IMPORTED_TARGET minizip)
 
 # Nesting: headers, on Clipper and NLopt.
 find_path(LIBNEST2D_INCLUDE_DIR libnest2d/libnest2d.hpp REQUIRED)

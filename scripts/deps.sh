@@ -13,7 +13,7 @@ packages=(
   libcli11-dev nlohmann-json3-dev
   # workshop: nesting, drawings, solids, and the readers that check them
   libnest2d-dev libpolyclipping-dev libnlopt-dev libnlopt-cxx-dev libcairo2-dev libpugixml-dev lib3mf-dev libtinygltf-dev
-  libdime-dev libxml2-dev libqpdf-dev libtinyobjloader-dev libassimp-dev
+  libdime-dev libxml2-dev libqpdf-dev libtinyobjloader-dev libassimp-dev libminizip-dev
   # window and pictures
   libglfw3-dev libimgui-dev libglm-dev libepoxy-dev libfreetype-dev libstb-dev libegl1 libegl-mesa0 libgl1-mesa-dri
   fonts-inter fonts-roboto-unhinted fonts-font-awesome

@@ -172,17 +172,47 @@ TEST(Architecture, OnlyTheFactorisationIncludesMumps) {
 
 // And of CGAL only the kernel, which is LGPL; most of its packages are GPL, which Ipopt's licence does not go
 // with.
-TEST(Architecture, OnlyTheCrossingsIncludeCgal) {
+TEST(Architecture, OnlyExactPredicatesIncludeCgal) {
   const std::set<std::string> lgpl{"CGAL/Exact_predicates_inexact_constructions_kernel.h",
                                    "CGAL/Kernel/global_functions.h"};
-  int seen = 0;
+  const std::set<std::string> may{"core/diagnose/crossings.cpp", "core/certify/exact_signs.cpp"};
+  std::set<std::string> seen;
   for (const Include& include : includes()) {
     if (!include.header.starts_with("CGAL/")) continue;
-    EXPECT_EQ(include.file, "core/diagnose/crossings.cpp") << place(include);
+    EXPECT_TRUE(may.contains(include.file)) << place(include);
     EXPECT_TRUE(lgpl.contains(include.header)) << place(include);
-    ++seen;
+    seen.insert(include.file);
   }
-  EXPECT_GT(seen, 0);
+  EXPECT_EQ(seen, may);
+}
+
+// The libraries that the certificate reads with are known to its readers alone: what wrote a file cannot be
+// what reads it back.
+TEST(Architecture, OnlyReadersOfTheCertificateIncludeTheirLibraries) {
+  const std::map<std::string, std::set<std::string>> readers{
+      {"dime/", {"core/certify/dxf_reader.cpp"}},
+      {"libxml/", {"core/certify/svg_reader.cpp", "core/certify/package_info.cpp"}},
+      {"qpdf/", {"core/certify/pdf_reader.cpp", "core/certify/pdf_font.h", "core/certify/pdf_font.cpp"}},
+      {"tiny_obj_loader", {"core/certify/obj_reader.cpp"}},
+      {"assimp/", {"core/certify/scene_reader.cpp"}},
+      {"minizip/", {"core/certify/package_info.cpp"}}};
+  std::set<std::string> seen;
+  for (const Include& include : includes())
+    for (const auto& [library, files] : readers) {
+      if (!include.header.starts_with(library)) continue;
+      EXPECT_TRUE(files.contains(include.file)) << place(include);
+      seen.insert(library);
+    }
+  EXPECT_EQ(seen.size(), readers.size());
+}
+
+// And they share nothing with the writers but the options that a drawing is written with.
+TEST(Architecture, TheCertificateKnowsNoWriter) {
+  for (const Include& include : includes()) {
+    if (folder(include.file) != "core/certify" || folder(include.header) != "core/writers") continue;
+    EXPECT_EQ(include.header, "core/writers/drawing_writers.h") << place(include);
+    EXPECT_EQ(include.file, "core/certify/certificate.h") << place(include);
+  }
 }
 
 // Who alone may include a library of the workshop's writers: the folder, or the one file, and that somebody

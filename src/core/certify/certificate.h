@@ -2,8 +2,9 @@
 // with what they should say. Where a sign decides (an outline crosses itself, which way round a contour runs,
 // a solid is closed and its volume positive) it is decided by exact predicates, not by rounding.
 //
-// Readers: DXF by dime, SVG by libxml2, PDF by qpdf (its content streams), OBJ by tinyobjloader, PLY, STL,
-// 3MF and glTF by assimp, CSV and JSON by parsers of our own tests' choice (nlohmann for JSON). Units: mm.
+// Readers: DXF by dime and, because dime keeps coordinates in single precision, by group codes of our own
+// that dime has to agree with; SVG by libxml2, PDF by qpdf (its content streams), OBJ by tinyobjloader, PLY
+// and CSV by readers of our own, JSON by nlohmann, STL, 3MF and glTF by assimp (single precision). Units: mm.
 // Threads: pure.
 #pragma once
 
@@ -58,12 +59,13 @@ struct Check {
 struct FileCertificate {
   std::string file, reader;  // "dime 0.2011", ...
   std::vector<Check> checks;
-  bool pass() const;
+  bool pass() const;  // and that there is a check
 };
 struct Certificate {
   std::vector<Check>
       design;  // of the document itself: planarity per panel, simple polygons, equal lengths of
                // shared edges, areas of patterns and panels, closed solids, penetrating solids
+  // In the order asked for; after them "all DXF files together", "all SVG files together": parts and names.
   std::vector<FileCertificate> files;
   bool pass() const;
 };
