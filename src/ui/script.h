@@ -8,8 +8,11 @@
 //   zoom NOTCHES click_panel N|any [MODS]       click_corner N|any [MODS]     drag_pin N DX DY drag_box FX FY
 //   FX FY [MODS]    hover_model FX FY key Ctrl+Z      type TEXT      export PATH                  screenshot
 //   FILE.png expect KEY OP VALUE            remember KEY NAME            print [KEY ...]       dump_ui
-//   clear_timings
+//   clear_timings                  click_region N|any [MODS]    hover_region N|any    click_border N|any
+//   M|beside drag_region N|any M|beside
 //
+// The region nearest to the middle of the input's view: any; one that lies beside it: beside. The commands
+// leave their numbers as $region and $neighbour.
 // The edge nearest to the middle of the view that can be flipped: any; that a finding flags: flagged; that
 // cannot be flipped: stuck. All three commands on edges know these, and leave its number as $edge.
 // MODS are keys that are held, like "Shift" or "Ctrl+Alt".
