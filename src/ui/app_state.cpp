@@ -112,7 +112,7 @@ void AppState::adopt(Loaded loaded) {
   known_advice_.clear();
   drop_cluster_wishes();
   region_view_.reset();
-  measured_ = {};
+  measured_.reset();
   if (changes_regions(tool)) tool = Tool::Look;
   ghost_.reset();
   clear_selection();

@@ -518,9 +518,12 @@ class AppState {
   std::uint64_t next_stroke_ = 1;
   BackgroundTask<std::shared_ptr<const RegionView>> region_task_;
   std::shared_ptr<const RegionView> region_view_;
-  using MeasuredClusters = std::pair<std::shared_ptr<const Iterate>, std::shared_ptr<const ClusterReport>>;
-  BackgroundTask<MeasuredClusters> measure_task_;
-  MeasuredClusters measured_;
+  struct MeasuredClusters {
+    std::shared_ptr<const Iterate> iterate;
+    ClusterReport report;
+  };
+  BackgroundTask<std::shared_ptr<const MeasuredClusters>> measure_task_;
+  std::shared_ptr<const MeasuredClusters> measured_;  // null: none yet
   mutable std::vector<int> selected_regions_;
   mutable std::pair<std::uint64_t, SharedClusters> selected_regions_of_;
 

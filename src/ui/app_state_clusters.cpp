@@ -267,6 +267,15 @@ void AppState::take_clusters(Result<Painted> made) {
     return;
   }
   if (made->clusters->mesh != document_.mesh()) return;
+  if (wanted.by_hand && !wanted.paints) {
+    // Else a merge that had to be split again would look as if it had come to nothing.
+    const std::vector<RegionRepair>& repairs = made->clusters->regions.repairs;
+    const auto further = static_cast<std::int64_t>(repairs.size()) - 1;
+    if (further >= 0) {
+      post(Message::Kind::Info,
+           describe(repairs.front()) + (further > 0 ? ", and " + format_count(further) + " more" : ""));
+    }
+  }
   if (wanted.paints) take_stroke(*made);
   if (cluster_wishes_.empty()) cluster_asked_.reset();
   if (clusters() && clusters()->regions.region_of_face == made->clusters->regions.region_of_face &&
@@ -315,13 +324,14 @@ bool AppState::update_cluster_report() {
   }
   if (document_.empty() || merging_ || solving() || measure_task_.running()) return changed;
   const LayerRun& of = run(active_layer());
-  if (!of.newest_final || !of.started || !of.started->clusters || measured_.first == of.newest)
+  if (!of.newest_final || !of.started || !of.started->clusters ||
+      (measured_ && measured_->iterate == of.newest))
     return changed;
   if (of.newest->complex->kind != ComplexKind::Cluster || of.stale) return changed;
   measure_task_.start(
-      [clusters = of.started->clusters, iterate = of.newest]() -> MeasuredClusters {
-        return {iterate, std::make_shared<const ClusterReport>(
-                             measure_clusters(*clusters, panels_of(*iterate->complex, iterate->state)))};
+      [clusters = of.started->clusters, iterate = of.newest] {
+        return std::make_shared<const MeasuredClusters>(MeasuredClusters{
+            iterate, measure_clusters(*clusters, panels_of(*iterate->complex, iterate->state))});
       },
       wake_);
   return changed;
@@ -331,7 +341,8 @@ bool AppState::update_cluster_report() {
 
 std::shared_ptr<const ClusterReport> AppState::cluster_report() const {
   const LayerRun& of = run(active_layer());
-  return of.newest && of.newest == measured_.first && of.newest_final ? measured_.second : nullptr;
+  if (!measured_ || !of.newest_final || of.newest != measured_->iterate) return nullptr;
+  return {measured_, &measured_->report};
 }
 
 ClusterSight AppState::cluster_sight() const {

@@ -134,15 +134,13 @@ void draw_cluster_report(Desk& desk) {
   ui.value_row(
       "L2,1 error", format_number(report->l21), 0,
       "The integral of |n − N|² over the input, as a share of its area: n its normal, N its panel's");
-  std::string valences;
   int corners = 0;
-  for (const auto& [valence, count] : report->corners_by_valence) {
-    valences += (valences.empty() ? "" : "   ") + std::to_string(valence) + ": " + format_count(count);
-    corners += count;
-  }
+  for (const auto& [valence, count] : report->corners_by_valence) corners += count;
   ui.value_row("Corners", format_count(corners));
-  ui.value_row("  by panels that meet", valences, 0,
-               "How many corners there are where one, two, three or more panels meet");
+  for (const auto& [valence, count] : report->corners_by_valence) {
+    ui.value_row("    of " + format_count(valence, "panel", "panels"), format_count(count), 0,
+                 "Corners where so many panels meet; fewer than three only on the border");
+  }
   if (report->euler_before != report->euler_after) {
     ui.value_row("Euler characteristic",
                  std::to_string(report->euler_before) + " → " + std::to_string(report->euler_after),

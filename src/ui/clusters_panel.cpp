@@ -190,6 +190,7 @@ void draw_clusters(Desk& desk) {
   draw_seeds(desk);
   desk.ui.gap(6);
   draw_hand_tools(desk);
+  desk.ui.gap(4);
   draw_sight(desk);
 }
 

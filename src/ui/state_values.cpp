@@ -422,6 +422,8 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "drain_max_ms") return text_of(state.timings.drain.max());
   if (key == "upload_median_ms") return text_of(state.timings.upload.median());
   if (key == "upload_max_ms") return text_of(state.timings.upload.max());
+  if (key == "frame_median_ms") return text_of(state.timings.frame.median());
+  if (key == "frame_max_ms") return text_of(state.timings.frame.max());
   if (key == "stream_median_ms") return text_of(state.timings.stream.median());
   if (key == "stream_cpu_max_ms") return text_of(state.timings.stream_cpu.max());
   if (key == "stream_max_ms") return text_of(state.timings.stream.max());

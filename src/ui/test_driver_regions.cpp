@@ -74,7 +74,8 @@ std::optional<ImVec2> TestDriver::find_neighbour(const std::string& which, bool 
 
 void TestDriver::run_on_regions(const std::vector<std::string>& words, const DriverContext& context) {
   const std::string& verb = words[0];
-  const auto at = find_region(expanded(words[1]), context);
+  const std::string which = expanded(words[1]);
+  const auto at = which == "beside" ? find_neighbour(which, false, context) : find_region(which, context);
   if (!at) return;
   if (verb == "click_region") {
     click_at(*at, words.size() > 2 ? held_in(words[2]) : HeldKeys());

@@ -199,6 +199,7 @@ void Viewport::fit(const AppState& state) {
   }
   impl_->flight.reset();
   impl_->camera.fit(low, high);
+  impl_->framed = true;
   impl_->dirty = true;
 }
 
@@ -249,6 +250,7 @@ void Viewport::look_at(const Vector3d& scene_point, double radius) {
   const double shown_radius = 0.5 * v.camera.height() * v.camera.pixel_size_at(scene_point);
   if (radius > 0 && shown_radius > 0) v.camera.zoom(shown_radius / radius, scene_point);
   v.flight = Impl::Flight{from, v.camera, Clock::now()};
+  v.framed = false;
   v.camera = from;
   v.dirty = true;
 }
@@ -348,7 +350,7 @@ std::optional<ImVec2> Viewport::place_of_pin(const AppState& state, int pin) con
 void Viewport::draw(Ui& ui, AppState& state, const Rect& place) {
   Impl& v = *impl_;
   const float ratio = ImGui::GetIO().DisplayFramebufferScale.x;
-  v.arrange(place, state.cluster_sight(), ratio > 0 ? ratio : 1.0f);
+  if (v.arrange(place, state.cluster_sight(), ratio > 0 ? ratio : 1.0f) && v.framed) fit(state);
 
   ImGui::SetNextWindowPos(place.min);
   ImGui::SetNextWindowSize(ImVec2(place.width(), place.height()));
@@ -391,7 +393,7 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place) {
 
 // Where the panes are, and the camera's picture, which has the size of one. What fills the picture goes on to
 // fill it when there are two panes instead of one, or the other way round.
-void Viewport::Impl::arrange(const Rect& all, ClusterSight how, float ratio) {
+bool Viewport::Impl::arrange(const Rect& all, ClusterSight how, float ratio) {
   const bool panes_change = (sight == ClusterSight::Beside) != (how == ClusterSight::Beside);
   if (sight != how) dirty = true;
   whole = all;
@@ -402,11 +404,12 @@ void Viewport::Impl::arrange(const Rect& all, ClusterSight how, float ratio) {
   enter(pane);
   const int width = std::max(1, static_cast<int>(place.width() * pixel_ratio));
   const int height = std::max(1, static_cast<int>(place.height() * pixel_ratio));
-  if (camera.width() == width && camera.height() == height) return;
+  if (camera.width() == width && camera.height() == height) return panes_change;
   const double before = std::min(camera.width(), camera.height()), after = std::min(width, height);
   camera.set_viewport(width, height);
   if (panes_change && before > 1) camera.zoom(after / before, camera.target());
   dirty = true;
+  return panes_change;
 }
 
 void Viewport::Impl::picture(Ui& ui, AppState& state) {

@@ -102,7 +102,8 @@ struct Viewport::Impl {
     Clock::time_point begin;
   };
   std::optional<Flight> flight;
-  double full_ms = 0;  // what a full picture took lately
+  bool framed = false;  // the whole model is in the picture, as fit() shows it; it may be turned
+  double full_ms = 0;   // what a full picture took lately
 
   // The mouse.
   std::optional<int> hovered, hovered_corner, hovered_pin;
@@ -224,7 +225,8 @@ struct Viewport::Impl {
     return best;
   }
 
-  void arrange(const Rect& all, ClusterSight how, float ratio);
+  // Whether there are more or fewer panes than before.
+  bool arrange(const Rect& all, ClusterSight how, float ratio);
   void show(std::shared_ptr<const PreparedView> view);
   // Per panel and per point; what the colours do not ask for, or is not known yet, is empty.
   std::pair<Vector, Vector> values() const {

@@ -48,7 +48,7 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
     if (plain && !boxing && !dragged_pin && !tool_clicks &&
         ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !flipped_by_click) {
       camera.pan(middle() - to_picture(at), pivot);
-      pressed = false;
+      pressed = framed = false;
       dirty = true;
     }
   }
@@ -68,6 +68,7 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
         // The box is drawn over the picture, which stays as it is.
       } else if (pans) {
         camera.pan(step, pivot);
+        framed = false;
         dirty = true;
       } else {
         camera.orbit(step, pivot);
@@ -96,6 +97,7 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
   if (hovered_now && io.MouseWheel != 0) {
     flight.reset();
     camera.zoom(std::pow(kZoomPerNotch, static_cast<double>(io.MouseWheel)), to_picture(at));
+    framed = false;
     dirty = true;
     hover_probe = {-1, -1};
   }

@@ -196,11 +196,11 @@ void Viewport::Impl::explain_region(Ui& ui, const AppState& state) const {
 std::string Viewport::Impl::region_hint(const AppState& state) {
   switch (state.tool) {
     case Tool::Split:
-      return "Click a region: it becomes two  ·  Drag turns the view  ·  Esc leaves";
+      return "Click a region: it becomes two  ·  Esc leaves";
     case Tool::Merge:
       return "Click a border, or one region and then its neighbour  ·  Esc leaves";
     case Tool::Paint:
-      return "Drag from a region over its neighbours' faces  ·  Shift drag pans  ·  Esc leaves";
+      return "Drag from a region over its neighbours  ·  Esc leaves";
     default:
       return "";
   }
@@ -214,7 +214,7 @@ void Viewport::Impl::draw_panes(Ui& ui, const AppState& state) const {
   const Rect left = rect_of(Pane::Regions);
   if (sight == ClusterSight::Beside)
     draw.AddLine(ImVec2(left.max.x - 0.5f, left.min.y), ImVec2(left.max.x - 0.5f, left.max.y), p.line);
-  if (sight != ClusterSight::Over && regions) {
+  if (sight == ClusterSight::Beside && regions) {
     const int count = regions->clusters->regions.count();
     const std::string text = "Input in " + format_count(count, "region", "regions");
     draw_label(ui, left, text, state.clustering());
