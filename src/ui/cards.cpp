@@ -81,6 +81,12 @@ void draw_keys_card(Desk& desk) {
           action.action == Action::SolveOrStop ? "Solve, or stop and keep the best" : action.label;
       key_row(ui, action.shortcut.c_str(), label.c_str());
     }
+    ui.gap(14);
+    ui.heading("Clusters");
+    for (const ActionInfo& action : action_list()) {
+      if (!action.shortcut.empty() && clusters(action.action))
+        key_row(ui, action.shortcut.c_str(), action.label.c_str());
+    }
     ImGui::EndGroup();
     ImGui::SameLine(0, ui.px(24));
     ImGui::BeginGroup();
@@ -98,12 +104,6 @@ void draw_keys_card(Desk& desk) {
     ui.heading("Selection and layers");
     for (const ActionInfo& action : action_list()) {
       if (!action.shortcut.empty() && selects(action.action))
-        key_row(ui, action.shortcut.c_str(), action.label.c_str());
-    }
-    ui.gap(14);
-    ui.heading("Clusters");
-    for (const ActionInfo& action : action_list()) {
-      if (!action.shortcut.empty() && clusters(action.action))
         key_row(ui, action.shortcut.c_str(), action.label.c_str());
     }
     ui.gap(14);

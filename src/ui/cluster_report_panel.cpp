@@ -68,6 +68,7 @@ void draw_bad_panels(Desk& desk, const char* record, const char* title, const st
   ui.gap(6);
   ui.value_row(title, bad.empty() ? "none" : format_count(static_cast<std::int64_t>(bad.size())),
                bad.empty() ? ui.colours().good : ui.colours().warning);
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ImGui::GetStyle().ItemSpacing.x, 0));
   for (std::size_t i = 0; i < std::min(bad.size(), kRowsShown); ++i) {
     const ElementRef element{ElementKind::Panel, bad[i].panel};
     const std::string name =
@@ -76,6 +77,7 @@ void draw_bad_panels(Desk& desk, const char* record, const char* title, const st
     if (draw_row(desk, std::string(record) + " " + std::to_string(i), name, bad[i].value, current))
       state.show_element(element);
   }
+  ImGui::PopStyleVar();
   if (bad.size() > kRowsShown)
     ui.small_text("and " + format_count(static_cast<std::int64_t>(bad.size() - kRowsShown)) + " more");
 }

@@ -562,9 +562,10 @@ void UiDump::frame(const DriverContext& c) {
   }
   std::ostringstream line;
   line << "state";
-  for (const char* key : {"document", "revision", "ticket", "solving", "settled", "status", "asked",
-                          "polished", "badge", "iterates_before_end", "weight.fairing", "undo", "camera",
-                          "colours", "messages_posted", "hovered_edge"}) {
+  for (const char* key : {"document",       "revision", "ticket",   "solving", "settled",
+                          "status",         "asked",    "polished", "badge",   "iterates_before_end",
+                          "weight.fairing", "undo",     "camera",   "colours", "messages_posted",
+                          "hovered_edge",   "mode",     "regions",  "tool",    "hovered_region"}) {
     line << ' ' << key << "=\"" << state_value(c, key).value_or("?") << '"';
   }
   if (line.str() != printed_state_) {

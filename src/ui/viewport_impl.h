@@ -125,6 +125,7 @@ struct Viewport::Impl {
   std::vector<int> regions_marked;                // that are shown as selected
   RegionHover region_hover, region_hover_marked;
   bool region_marks_stale = true;
+  Tool tool_marked = Tool::Look;
   bool painting = false;
 
   glm::vec2 to_picture(ImVec2 window) const {

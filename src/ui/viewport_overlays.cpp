@@ -48,9 +48,9 @@ void draw_label(Ui& ui, const Rect& place, const std::string& text, bool busy) {
   const float dot = ui.px(14);
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
   const ImVec2 min(place.min.x + ui.px(12), place.min.y + ui.px(12));
-  const ImVec2 max(min.x + size.x + dot + ui.px(22), min.y + ui.px(28));
-  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(14));
-  draw.AddRect(min, max, p.line, ui.px(14));
+  const ImVec2 max(min.x + size.x + dot + ui.px(22), min.y + ui.px(26));
+  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(13));
+  draw.AddRect(min, max, p.line, ui.px(13));
   const ImVec2 centre(min.x + ui.px(14), 0.5f * (min.y + max.y));
   draw.AddCircleFilled(centre, ui.px(4), busy ? p.accent : p.ink_faint, 16);
   draw_text_aligned(draw, font, ImVec2(min.x + ui.px(10) + dot, min.y), max, 0.0f, p.ink, text);

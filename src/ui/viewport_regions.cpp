@@ -58,7 +58,7 @@ void Viewport::Impl::upload_region_marks(const AppState& state) {
   static const std::vector<int> kNone;
   const std::vector<int>& selected = regions->clusters == state.clusters() ? state.selected_regions() : kNone;
   const bool same_selected = !region_marks_stale && selected == regions_marked;
-  if (same_selected && region_hover == region_hover_marked) return;
+  if (same_selected && region_hover == region_hover_marked && state.tool == tool_marked) return;
   std::vector<int> hovered_ones;
   const auto region_of = [&](int face) {
     return face < 0 ? -1 : regions->clusters->regions.region_of_face[static_cast<std::size_t>(face)];
@@ -68,6 +68,7 @@ void Viewport::Impl::upload_region_marks(const AppState& state) {
       hovered_ones.push_back(region);
   }
   std::sort(hovered_ones.begin(), hovered_ones.end());
+  const bool outlines_hovered = changes_regions(state.tool) && region_hover.other < 0;
   std::vector<Vector3d> outline;
   for (std::size_t i = 0; i < border_faces.size(); ++i) {
     const int a = region_of(border_faces[i].first), b = region_of(border_faces[i].second);
@@ -75,7 +76,10 @@ void Viewport::Impl::upload_region_marks(const AppState& state) {
                                 std::binary_search(selected.begin(), selected.end(), b);
     const bool pointed_at = region_hover.other >= 0 && hovered_ones.size() == 2 &&
                             std::min(a, b) == hovered_ones[0] && std::max(a, b) == hovered_ones[1];
-    if (!round_selected && !pointed_at) continue;
+    const bool round_hovered =
+        outlines_hovered && std::binary_search(hovered_ones.begin(), hovered_ones.end(), a) !=
+                                std::binary_search(hovered_ones.begin(), hovered_ones.end(), b);
+    if (!round_selected && !pointed_at && !round_hovered) continue;
     outline.emplace_back(regions->mesh->points.row(border_ends[i].first).transpose());
     outline.emplace_back(regions->mesh->points.row(border_ends[i].second).transpose());
   }
@@ -84,6 +88,7 @@ void Viewport::Impl::upload_region_marks(const AppState& state) {
                             render::triangles_of(regions->arrays.faces, faces_of(*regions, hovered_ones)));
   region_marks_stale = false;
   regions_marked = selected;
+  tool_marked = state.tool;
   region_hover_marked = region_hover;
   pane_dirty[static_cast<int>(Pane::Regions)] = true;
 }

@@ -94,8 +94,9 @@ struct PictureOptions {
   int width = 1600, height = 1000;
   Theme theme;
   bool ghost = true;
-  bool legend = true;                 // drawn into the picture when the scene has colours
-  std::string title = {};             // top left; empty: none. UTF-8
+  Renderer::What what = Renderer::What::Panels;  // a scene has no regions: for set_regions()
+  bool legend = true;                            // drawn into the picture when the scene has colours
+  std::string title = {};                        // top left; empty: none. UTF-8
   std::optional<Camera> camera = {};  // its direction and place; empty: the standard view of the whole scene
 };
 Result<void> render_picture(const Scene& scene, const PictureOptions& options,
