@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-names=(window-start window-streaming window-dark window-findings window-suggestions
+names=(window-start window-streaming window-dark window-findings window-suggestions window-clusters
   station-panels twisted-roof-panels torus-panels
   figure-2 figure-5 figure-7 figure-8
   preset-close-to-design preset-even-panels preset-smooth-shell preset-faceted-shell preset-close preset-uncrossed
@@ -159,6 +159,29 @@ wait_solved 120
 wait_rated 300
 click "Findings/suggestion 0"
 wait_frames 40
+screenshot PICTURE
+SCRIPT
+      ;;
+
+    window-clusters)
+      window window-clusters << 'SCRIPT'
+click Hint/close
+sample dome 3000
+wait_loaded 20
+wait_solved 120
+key 3
+wait_frames 4
+wait_solved 120
+click "Design/regions number"
+wait_frames 3
+type "64"
+key Enter
+wait_frames 4
+wait_solved 120
+click "Findings/tab Report"
+key J
+hover_region any
+wait_frames 12
 screenshot PICTURE
 SCRIPT
       ;;

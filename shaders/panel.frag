@@ -3,6 +3,8 @@ uniform vec3 card;
 uniform vec3 edge;
 uniform float line_width;  // pixels
 uniform int fine;
+uniform float shade;    // of light and shade, how much colours show
+uniform float opacity;  // of the panel; its lines are opaque
 
 // The colour map; see colour_map.h for what the numbers mean.
 uniform int coloured;
@@ -52,8 +54,9 @@ void main() {
   if (coloured != 0 && quantity < kNoValue) {
     // Less light and shade than on card, and edges in the colour's own dark shade: the colour has to be read.
     fill = texture(map, vec2((map_position(quantity) * 255.0 + 0.5) / 256.0, 0.5)).rgb;
-    fill *= mix(vec3(1.0), light, 0.45);
+    fill *= mix(vec3(1.0), light, shade);
     line_colour = 0.40 * fill;
   }
-  colour = vec4(mix(fill, line_colour, line * presence), 1.0);
+  float drawn = line * presence;
+  colour = vec4(mix(fill, line_colour, drawn), mix(opacity, 1.0, drawn));
 }

@@ -24,6 +24,7 @@ const std::vector<ActionInfo>& action_list() {
       {Action::Redo, "redo", "Redo", "Ctrl Shift Z", {ctrl(GLFW_KEY_Z, true), ctrl(GLFW_KEY_Y)}},
       {Action::ModeDual, "mode dual", "Dual", "1", {key(GLFW_KEY_1), key(GLFW_KEY_KP_1)}},
       {Action::ModePlanarize, "mode planarize", "Planarize", "2", {key(GLFW_KEY_2), key(GLFW_KEY_KP_2)}},
+      {Action::ModeCluster, "mode cluster", "Cluster", "3", {key(GLFW_KEY_3), key(GLFW_KEY_KP_3)}},
       {Action::SolveOrStop, "solve or stop", "Solve", "Space", {key(GLFW_KEY_SPACE)}},
       {Action::SolveAfresh,
        "solve afresh",
@@ -87,6 +88,15 @@ const std::vector<ActionInfo>& action_list() {
       {Action::RemoveLayer, "remove layer", "Remove the layer", "", {}},
       {Action::NextLayer, "next layer", "Next layer", "Tab", {key(GLFW_KEY_TAB)}},
       {Action::HideLayer, "hide layer", "Show or hide the layer", "H", {key(GLFW_KEY_H)}},
+      {Action::SplitRegion, "split region", "Split a region", "X", {key(GLFW_KEY_X)}},
+      {Action::MergeRegions, "merge regions", "Merge two regions", "J", {key(GLFW_KEY_J)}},
+      {Action::PaintRegions, "paint regions", "Paint regions", "R", {key(GLFW_KEY_R)}},
+      {Action::ClusterAnew, "cluster anew", "Cluster anew", "K", {key(GLFW_KEY_K)}},
+      {Action::SightRegions, "sight regions", "The input in regions", "", {}},
+      {Action::SightBeside, "sight beside", "Input and panels side by side", "", {}},
+      {Action::SightOver, "sight over", "Panels over the input", "", {}},
+      {Action::SightPanels, "sight panels", "The panels alone", "", {}},
+      {Action::NextSight, "next sight", "Next view of the clusters", "T", {key(GLFW_KEY_T)}},
       {Action::Keys, "keys", "All keys", "? or F1", {key(GLFW_KEY_F1)}},
       {Action::Timings, "timings", "Timings", "", {}},
       {Action::About, "about", "About Planewright", "", {}},
@@ -101,6 +111,7 @@ const ActionInfo& info(Action action) {
 
 bool Actions::enabled(Action action) const {
   const bool has_design = !state_.document().empty();
+  const bool has_clusters = has_design && state_.document().settings().mode == ComplexKind::Cluster;
   const bool has_findings = state_.finding_list().size() > 0;
   switch (action) {
     case Action::Export:
@@ -111,6 +122,7 @@ bool Actions::enabled(Action action) const {
       return state_.document().can_redo();
     case Action::ModeDual:
     case Action::ModePlanarize:
+    case Action::ModeCluster:
     case Action::SolveOrStop:
     case Action::SolveAfresh:
     case Action::Fit:
@@ -149,6 +161,17 @@ bool Actions::enabled(Action action) const {
     case Action::DuplicateLayer:
     case Action::HideLayer:
       return has_design;
+    case Action::SplitRegion:
+    case Action::MergeRegions:
+    case Action::PaintRegions:
+      return has_clusters && state_.clusters() != nullptr;
+    case Action::ClusterAnew:
+    case Action::SightRegions:
+    case Action::SightBeside:
+    case Action::SightOver:
+    case Action::SightPanels:
+    case Action::NextSight:
+      return has_clusters;
     case Action::RemoveLayer:
     case Action::NextLayer:
       return state_.layer_count() > 1;
@@ -166,6 +189,22 @@ bool Actions::checked(Action action) const {
       return state_.document().settings().mode == ComplexKind::Dual;
     case Action::ModePlanarize:
       return state_.document().settings().mode == ComplexKind::Planarize;
+    case Action::ModeCluster:
+      return state_.document().settings().mode == ComplexKind::Cluster;
+    case Action::SplitRegion:
+      return state_.tool == Tool::Split;
+    case Action::MergeRegions:
+      return state_.tool == Tool::Merge;
+    case Action::PaintRegions:
+      return state_.tool == Tool::Paint;
+    case Action::SightRegions:
+      return view.cluster_sight == ClusterSight::Regions;
+    case Action::SightBeside:
+      return view.cluster_sight == ClusterSight::Beside;
+    case Action::SightOver:
+      return view.cluster_sight == ClusterSight::Over;
+    case Action::SightPanels:
+      return view.cluster_sight == ClusterSight::Panels;
     case Action::AutoSolve:
       return state_.auto_solve();
     case Action::AutoPolish:
@@ -242,15 +281,33 @@ void Actions::apply_requested() {
   }
 }
 
+// A preset of the mode before that means nothing in this one gives way to this one's own; weights that the
+// designer set himself stay.
 void Actions::set_mode(ComplexKind mode) {
   LayerSettings settings = state_.document().settings();
+  const bool had_preset = present_preset(settings) != nullptr;
+  const bool clusters = mode == ComplexKind::Cluster, had_clusters = settings.mode == ComplexKind::Cluster;
   settings.mode = mode;
+  if (clusters != had_clusters && had_preset) {
+    const auto preset = find_preset(clusters ? "proxy-planes" : "close-to-design");
+    const Result<void> applied = preset ? planewright::apply(**preset, settings) : Result<void>();
+    if (!preset || !applied) state_.post(preset ? applied.error() : preset.error());
+  }
   const int off = switch_off_undefined(settings);
   if (off > 0) {
     state_.post(Message::Kind::Info, format_count(off, "demand means", "demands mean") +
                                          " nothing in this mode and " + (off == 1 ? "is" : "are") + " off");
   }
-  state_.change_settings(std::move(settings), mode == ComplexKind::Dual ? "Mode dual" : "Mode planarize");
+  state_.change_settings(std::move(settings), mode == ComplexKind::Dual        ? "Mode dual"
+                                              : mode == ComplexKind::Planarize ? "Mode planarize"
+                                                                               : "Mode cluster");
+}
+
+// Once more puts it away. Tools that change regions need these in sight.
+void Actions::take_tool(Tool tool) {
+  state_.tool = state_.tool == tool ? Tool::Look : tool;
+  ClusterSight& sight = state_.view_options.cluster_sight;
+  if (changes_regions(state_.tool) && sight == ClusterSight::Panels) sight = ClusterSight::Beside;
 }
 
 void Actions::change_selection(Action action) {
@@ -312,6 +369,9 @@ void Actions::run(Action action) {
       break;
     case Action::ModePlanarize:
       set_mode(ComplexKind::Planarize);
+      break;
+    case Action::ModeCluster:
+      set_mode(ComplexKind::Cluster);
       break;
     case Action::SolveOrStop:
       if (state_.solving()) {
@@ -406,7 +466,37 @@ void Actions::run(Action action) {
       }
       break;
     case Action::SelectBox:
-      state_.tool = state_.tool == Tool::Box ? Tool::Look : Tool::Box;
+      take_tool(Tool::Box);
+      break;
+    case Action::SplitRegion:
+      take_tool(Tool::Split);
+      break;
+    case Action::MergeRegions:
+      take_tool(Tool::Merge);
+      break;
+    case Action::PaintRegions:
+      take_tool(Tool::Paint);
+      break;
+    case Action::ClusterAnew:
+      state_.cluster_anew();
+      break;
+    case Action::SightRegions:
+      view.cluster_sight = ClusterSight::Regions;
+      break;
+    case Action::SightBeside:
+      view.cluster_sight = ClusterSight::Beside;
+      break;
+    case Action::SightOver:
+      view.cluster_sight = ClusterSight::Over;
+      break;
+    case Action::SightPanels:
+      view.cluster_sight = ClusterSight::Panels;
+      break;
+    case Action::NextSight:
+      view.cluster_sight = view.cluster_sight == ClusterSight::Regions  ? ClusterSight::Beside
+                           : view.cluster_sight == ClusterSight::Beside ? ClusterSight::Over
+                           : view.cluster_sight == ClusterSight::Over   ? ClusterSight::Panels
+                                                                        : ClusterSight::Regions;
       break;
     case Action::SelectAll:
     case Action::SelectBorder:

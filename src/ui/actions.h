@@ -21,6 +21,7 @@ enum class Action {
   Redo,
   ModeDual,
   ModePlanarize,
+  ModeCluster,
   SolveOrStop,
   SolveAfresh,
   AutoSolve,
@@ -60,6 +61,15 @@ enum class Action {
   RemoveLayer,
   NextLayer,
   HideLayer,
+  SplitRegion,
+  MergeRegions,
+  PaintRegions,
+  ClusterAnew,
+  SightRegions,
+  SightBeside,
+  SightOver,
+  SightPanels,
+  NextSight,
   Keys,
   Timings,
   About,
@@ -99,6 +109,7 @@ class Actions {
   void run(Action action);
   void change_selection(Action action);
   void set_mode(ComplexKind mode);
+  void take_tool(Tool tool);
 
   AppState& state_;
   WindowState& window_;

@@ -61,7 +61,9 @@ const char* name(ColourMap map) {
 
 AppState::AppState(std::function<void()> wake)
     : wake_(std::move(wake)), preparer_(wake_), session_(wake_), advice_task_(wake_) {}
-AppState::~AppState() = default;
+AppState::~AppState() {
+  cluster_stop_.request_stop();
+}
 
 // --- Files -----------------------------------------------------------------------------------
 
@@ -108,6 +110,10 @@ void AppState::adopt(Loaded loaded) {
   match_runs();
   end_advice();
   known_advice_.clear();
+  drop_cluster_wishes();
+  region_view_.reset();
+  measured_.reset();
+  if (changes_regions(tool)) tool = Tool::Look;
   ghost_.reset();
   clear_selection();
   walked_.reset();
@@ -178,6 +184,9 @@ void AppState::change_design(Design design, std::string what, std::string merge_
 }
 
 void AppState::end_merge() {
+  // What is still being clustered belongs to the gesture that is over.
+  merge_ends_late_ = clustering();
+  if (merge_ends_late_) return;
   document_.end_merge();
   merging_ = false;
 }
@@ -193,6 +202,7 @@ void AppState::document_changed() {
   show_settings_of_views();
   background_wanted_ = auto_solve_;
   if (auto_solve_ && active_run().stale) solve_wanted_ = true;
+  if (document_.settings().mode != ComplexKind::Cluster && changes_regions(tool)) tool = Tool::Look;
 }
 
 void AppState::refresh_mesh_view() {
@@ -206,6 +216,10 @@ void AppState::solve(Start start) {
   if (document_.empty()) return;
   if (reference_missing()) {
     hold_without_reference();
+    return;
+  }
+  if (document_.settings().mode == ComplexKind::Cluster && !clusters() && cluster_error_) {
+    post(*cluster_error_);
     return;
   }
   start_afresh_ = start_afresh_ || start == Start::Afresh;
@@ -223,6 +237,7 @@ void AppState::stop() {
 
 bool AppState::may_start(Clock::time_point now) const {
   if (!solve_wanted_ || document_.empty() || !reference_ready()) return false;
+  if (!inputs_of(active_layer()).complete()) return false;
   const LayerRun& active = run(active_layer());
   if (!merging_ || !outcome_due_ || solving_run_ != active.id) return true;
   if (active.asked == SolverKind::Auto) return true;  // nothing of a polish is shown before its end
@@ -248,6 +263,7 @@ void AppState::start_solve(int layer, Clock::time_point now, SolverKind solver) 
   SolveRequest request;
   request.mesh = inputs.mesh;
   request.settings = inputs.settings;
+  request.clusters = inputs.clusters;
   request.selections = inputs.selections;
   request.reference = inputs.reference;
   request.solver = solver;
@@ -306,6 +322,7 @@ bool AppState::update(Clock::time_point now) {
       post(exported->error());
     }
   }
+  changed |= update_clusters();
   changed |= take_reference();
   if (reference_missing()) solve_wanted_ = false;
   changed |= drain();
@@ -489,7 +506,9 @@ bool AppState::view_range_locked() const {
 // --- What is shown ---------------------------------------------------------------------------
 
 bool AppState::settled() const {
-  if (loading() || load_next_ || solving() || !reference_ready()) return false;
+  if (loading() || load_next_ || solving() || !reference_ready() || clustering()) return false;
+  if (clusters_wanted() && clusters() && !(region_view_ && region_view_->clusters == clusters()))
+    return false;
   if (mesh_view_ && (!ghost_ || ghost_->mesh != mesh_view_)) return false;
   return std::all_of(runs_.begin(), runs_.end(), [this](const LayerRun& of) {
     return of.failed || (of.submitted == (of.shown ? of.shown->number : 0) && findings_known(of));

@@ -14,14 +14,17 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "core/design/cluster_report.h"
 #include "core/design/solve_session.h"
 #include "core/edit/document.h"
 #include "core/edit/select.h"
@@ -31,6 +34,7 @@
 #include "ui/frame_timings.h"
 #include "ui/look_at.h"
 #include "ui/mesh_view.h"
+#include "ui/region_view.h"
 #include "ui/suggestion_list.h"
 #include "ui/view_preparer.h"
 
@@ -41,8 +45,14 @@ using Clock = std::chrono::steady_clock;
 enum class ColourMap { None, Planarity, Displacement, Findings };
 const char* name(ColourMap map);  // "none", "planarity", "displacement", "findings"
 
+// Of a design of clusters: the input in its regions' colours, the panels, both side by side, or the panels as
+// glass over the input.
+enum class ClusterSight { Regions, Panels, Beside, Over };
+const char* name(ClusterSight sight);  // "regions", "panels", "beside", "over"
+
 // What the designer chose to see.
 struct ViewOptions {
+  ClusterSight cluster_sight = ClusterSight::Beside;
   bool ghost = true;
   bool markers = true;
   bool lock_range = false;  // keep the colour map's range as it is
@@ -61,8 +71,14 @@ struct Message {
   Clock::time_point posted;
 };
 
-// What a left drag over the model does: orbit, or draw a box that selects.
-enum class Tool { Look, Box };
+// What the left button does over the model: orbit and select; draw a box that selects; on regions: split the
+// one that is clicked; merge the two beside a border, or what is clicked into the selected one; paint faces
+// over to the region where a drag begins.
+enum class Tool { Look, Box, Split, Merge, Paint };
+const char* name(Tool tool);  // "look", "box", "split", "merge", "paint"
+inline bool changes_regions(Tool tool) {
+  return tool == Tool::Split || tool == Tool::Merge || tool == Tool::Paint;
+}
 
 // How a layer stands.
 enum class LayerStatus {
@@ -122,6 +138,43 @@ class AppState {
   const SolveReport* report(int layer) const { return run(layer).report ? &*run(layer).report : nullptr; }
   std::optional<int> solving_layer() const;  // that the solver works on
   double mean_edge() const;                  // of the shown panels, else of the mesh; 0 without one
+
+  // --- Clusters: the regions that panels are made of in mode Cluster. They are made and changed in the
+  // background; what came of it is a step of undo. A design that comes into the mode without any is given
+  // some.
+  const SharedClusters& clusters() const { return document_.clusters(); }
+  bool clustering() const {
+    return cluster_task_.running() || !cluster_wishes_.empty() || stroke_.has_value();
+  }
+  // What was asked for last, whatever came of it; else what the clusters were made with.
+  ClusterOptions cluster_options() const;
+  // Why that came to nothing; until the next wish.
+  const std::optional<Error>& cluster_error() const { return cluster_error_; }
+  int fewest_regions() const;  // one for each separate part of the mesh
+  // Goes on from the present regions, so that a drag shows each value; with a target, or `anew`, from seeds.
+  void set_cluster_options(const ClusterOptions& options, std::string what, std::string merge_key = {},
+                           bool anew = false);
+  void cluster_anew();
+  // Refusals become messages.
+  void merge_regions(int a, int b);
+  void split_region(int region);
+  // One stroke: faces go over to the region of face `from`, all as one step.
+  void begin_painting(int from);
+  void paint(const std::vector<int>& faces);
+  void end_painting();
+  std::optional<int> painting_region() const;
+  // The input as it is drawn: of the present clusters, or for a moment of those before. Null: there are none.
+  const std::shared_ptr<const RegionView>& region_view() const { return region_view_; }
+  // What is seen now: Panels in every other mode.
+  ClusterSight cluster_sight() const;
+  // Regions all of whose faces are selected, ascending.
+  const std::vector<int>& selected_regions() const;
+  void select_region(int region, Combine how);
+  // Selects it, and asks the viewport to go there.
+  void show_region(int region);
+  // Of the panels that are shown; null until it is known.
+  std::shared_ptr<const ClusterReport> cluster_report() const;
+  double milliseconds_per_clustering() const { return clustering_ms_; }  // the newest
 
   // --- Selecting: elements of the mesh, as core/edit/select.h names them; and what was pointed at last.
   const Selection& selection() const { return selection_; }
@@ -290,10 +343,12 @@ class AppState {
   struct LayerInputs {
     std::shared_ptr<const PolygonMesh> mesh;
     LayerSettings settings;             // with what coplanar_with demands
+    SharedClusters clusters;            // for panels of clusters; else null
     std::vector<Selection> selections;  // that the demands name
     std::shared_ptr<const ReferenceSurface> reference;
     std::shared_ptr<const Iterate> neighbour;
     bool operator==(const LayerInputs&) const = default;
+    bool complete() const { return settings.mode != ComplexKind::Cluster || clusters; }
   };
   // What is known of a layer besides its settings.
   struct LayerRun {
@@ -346,6 +401,7 @@ class AppState {
   void begin_load(std::string name, std::function<Result<Loaded>()> load);
   void adopt(Loaded loaded);
   void document_changed();
+  void tell_of_dropped(const std::vector<std::string>& dropped);
   bool mesh_edited(const Result<std::vector<std::string>>& edited, std::uint64_t revision, bool drags);
   void follow_pointed_at(const PreparedView& before, const PreparedView& next);
   void follow_elements();   // what is selected names the present mesh's elements
@@ -369,6 +425,24 @@ class AppState {
   void follow_finding();  // the current one, in the list of newer findings
   void go_to_row(int row);
   void show_view(LayerRun& of, std::shared_ptr<const PreparedView> next);
+  // What is to become of the clusters. `make` gets those that are there when its turn comes; null: none.
+  struct ClusterWish {
+    std::function<Result<Painted>(const SharedClusters&, std::stop_token)> make;
+    std::string what, merge_key;
+    bool is_step = true;   // else part of the newest
+    bool by_hand = false;  // every one counts; of others the newest
+    bool paints = false;
+  };
+  bool clusters_wanted() const;
+  void wish(ClusterWish wish);
+  void start_clustering();
+  bool update_clusters();
+  void take_clusters(Result<Painted> made);
+  void take_stroke(const Painted& painted);
+  void drop_cluster_wishes();
+  bool update_region_view();
+  bool update_cluster_report();
+
   bool update_advice();
   bool take_advice();
   bool may_advise() const;
@@ -423,6 +497,35 @@ class AppState {
   std::optional<MeshEdit> preview_wanted_;                    // the newest that the task was asked for
   mutable SuggestionList suggestion_list_;  // made anew by suggestion_list() where it is of another state
   std::optional<MeshEdit> current_suggestion_;
+
+  BackgroundTask<Result<Painted>> cluster_task_;
+  std::stop_source cluster_stop_;
+  std::optional<ClusterWish> clustering_wish_;  // that the task works on; none: its result is nobody's
+  Clock::time_point clustering_since_{};
+  double clustering_ms_ = 0.0;
+  std::deque<ClusterWish> cluster_wishes_;       // whose turn is to come
+  std::optional<ClusterOptions> cluster_asked_;  // that the clusters do not meet yet, or cannot
+  std::optional<Error> cluster_error_;
+  bool merge_ends_late_ = false;  // a control was let go of whose last value is being clustered
+  struct Stroke {
+    int from = 0;
+    std::vector<int> waiting;  // faces
+    std::optional<Error> refused;
+    std::uint64_t number = 0;
+    bool ended = false;
+  };
+  std::optional<Stroke> stroke_;
+  std::uint64_t next_stroke_ = 1;
+  BackgroundTask<std::shared_ptr<const RegionView>> region_task_;
+  std::shared_ptr<const RegionView> region_view_;
+  struct MeasuredClusters {
+    std::shared_ptr<const Iterate> iterate;
+    ClusterReport report;
+  };
+  BackgroundTask<std::shared_ptr<const MeasuredClusters>> measure_task_;
+  std::shared_ptr<const MeasuredClusters> measured_;  // null: none yet
+  mutable std::vector<int> selected_regions_;
+  mutable std::pair<std::uint64_t, SharedClusters> selected_regions_of_;
 
   int iterates_before_end_ = 0;
   std::uint64_t last_fingerprint_ = 0;

@@ -28,20 +28,28 @@ bool AppState::mesh_edited(const Result<std::vector<std::string>>& edited, std::
     return false;
   }
   if (document_.revision() == revision) return true;
+  // What was asked for of the mesh before; should its clusters be lost, they are made anew as they were.
+  const ClusterOptions options = cluster_options();
+  drop_cluster_wishes();
+  if (!clusters() && clusters_wanted()) cluster_asked_ = options;
   merging_ = drags;
   document_changed();
   // The next solve supersedes the one that runs; where none follows, that one ends with what it has.
   if (outcome_due_ && !solve_wanted_) session_.stop();
-  if (!edited->empty()) {
-    std::string lost;
-    for (const std::string& what : *edited) lost += (lost.empty() ? "" : ", ") + what;
-    post(Message::Kind::Info, lost + " went with it (Ctrl Z brings all back)");
-  }
+  tell_of_dropped(*edited);
   return true;
+}
+
+void AppState::tell_of_dropped(const std::vector<std::string>& dropped) {
+  if (dropped.empty()) return;
+  std::string lost;
+  for (const std::string& what : dropped) lost += (lost.empty() ? "" : ", ") + what;
+  post(Message::Kind::Info, lost + " went with it (Ctrl Z brings all back)");
 }
 
 void AppState::go_to(int steps) {
   const auto revision = document_.revision();
+  drop_cluster_wishes();
   end_merge();
   document_.go_to(steps);
   if (document_.revision() == revision) return;

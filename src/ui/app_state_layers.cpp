@@ -76,6 +76,7 @@ AppState::LayerInputs AppState::inputs_of(int layer) const {
   LayerInputs inputs;
   inputs.mesh = document_.mesh();
   inputs.settings = of.settings;
+  if (of.settings.mode == ComplexKind::Cluster) inputs.clusters = document_.clusters();
   inputs.reference = reference_;
   std::vector<Demand>& demands = inputs.settings.demands.list;
   if (of.coplanar_with >= 0 && of.coplanar_with < layer) {
@@ -104,7 +105,7 @@ void AppState::refresh_stale() {
 int AppState::next_waiting() const {
   if (!background_wanted_ || document_.empty() || !reference_ready() || reference_missing()) return -1;
   for (int i = 0; i < layer_count(); ++i) {
-    if (run(i).stale) return i;
+    if (run(i).stale && inputs_of(i).complete()) return i;
   }
   return -1;
 }

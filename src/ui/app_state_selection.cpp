@@ -72,7 +72,12 @@ void AppState::follow_pointed_at(const PreparedView& before, const PreparedView&
   }
   if (selected_panel) {
     int origin = from.plane_origin[static_cast<std::size_t>(*selected_panel)];
-    if (edited) origin = mapped(plane_origins(*edited, from.kind), origin);
+    if (from.kind == ComplexKind::Cluster) {
+      origin = mapped(
+          same_regions(from.region_of_face, from.plane_count(), to.region_of_face, to.plane_count()), origin);
+    } else if (edited) {
+      origin = mapped(plane_origins(*edited, from.kind), origin);
+    }
     selected_panel = index_in(to.plane_origin, origin);
   }
   if (selected_point) selected_point = next_point(*selected_point);

@@ -72,11 +72,20 @@ void draw_keys_card(Desk& desk) {
     const auto selects = [](Action action) {
       return action >= Action::SelectBox && action <= Action::HideLayer;
     };
+    const auto clusters = [](Action action) {
+      return action >= Action::SplitRegion && action <= Action::NextSight;
+    };
     for (const ActionInfo& action : action_list()) {
-      if (action.shortcut.empty() || selects(action.action)) continue;
+      if (action.shortcut.empty() || selects(action.action) || clusters(action.action)) continue;
       const std::string label =
           action.action == Action::SolveOrStop ? "Solve, or stop and keep the best" : action.label;
       key_row(ui, action.shortcut.c_str(), label.c_str());
+    }
+    ui.gap(14);
+    ui.heading("Clusters");
+    for (const ActionInfo& action : action_list()) {
+      if (!action.shortcut.empty() && clusters(action.action))
+        key_row(ui, action.shortcut.c_str(), action.label.c_str());
     }
     ImGui::EndGroup();
     ImGui::SameLine(0, ui.px(24));

@@ -143,19 +143,26 @@ void draw_design_panel(Desk& desk, const Rect& place) {
       if (ui.button("Open", "Open…", look)) desk.actions.request(Action::Open);
     }
   } else {
-    static const std::array<std::string, 2> kModes = {"Dual", "Planarize"};
-    static const std::array<std::string, 2> kAbout = {
+    static const std::array<std::string, 3> kModes = {"Dual", "Planarize", "Cluster"};
+    static const std::array<std::string, 3> kAbout = {
         "One planar panel for every vertex of the mesh: hexagons from triangles  (1)",
-        "The mesh's own faces, made planar  (2)"};
+        "The mesh's own faces, made planar  (2)",
+        "A few planar panels, each for a region of many faces  (3)"};
+    static const std::array<Action, 3> kSwitch = {Action::ModeDual, Action::ModePlanarize,
+                                                  Action::ModeCluster};
     int mode = static_cast<int>(state.document().settings().mode);
-    if (ui.segmented("mode", kModes, mode, kAbout)) {
-      desk.actions.request(mode == 0 ? Action::ModeDual : Action::ModePlanarize);
-    }
+    if (ui.segmented("mode", kModes, mode, kAbout))
+      desk.actions.request(kSwitch[static_cast<std::size_t>(mode)]);
     draw_presets(desk);
     // Everything scrolls but the solve, which is always at hand.
     const float solve = solve_height(ui);
     ImGui::BeginChild("sections", ImVec2(ImGui::GetContentRegionAvail().x + ui.px(10),
                                          std::max(ImGui::GetContentRegionAvail().y - solve, ui.px(80))));
+    if (state.document().settings().mode == ComplexKind::Cluster &&
+        ui.section("clusters", "Clusters", true, clusters_summary(desk),
+                   state.cluster_error() ? ui.colours().error : 0)) {
+      draw_clusters(desk);
+    }
     if (ui.section("layers", "Layers", state.layer_count() > 1, layers_summary(desk))) draw_layers(desk);
     const HealthReport& health = state.document().health();
     const bool healthy = health.healthy();

@@ -19,7 +19,10 @@ void item(Desk& desk, Action action) {
       action == Action::AutoSolve || action == Action::Ghost || action == Action::Markers ||
       action == Action::LockRange || action == Action::Convergence || action == Action::DarkTheme ||
       action == Action::HideLayer || action == Action::SelectBox || action == Action::ModeDual ||
-      action == Action::ModePlanarize || action == Action::ColourNone || action == Action::ColourPlanarity ||
+      action == Action::ModePlanarize || action == Action::ModeCluster || action == Action::SplitRegion ||
+      action == Action::MergeRegions || action == Action::PaintRegions || action == Action::SightRegions ||
+      action == Action::SightBeside || action == Action::SightOver || action == Action::SightPanels ||
+      action == Action::ColourNone || action == Action::ColourPlanarity ||
       action == Action::ColourDisplacement || action == Action::ColourFindings;
   if (ImGui::MenuItem(desk.actions.label(action).c_str(), what.shortcut.c_str(),
                       toggles && desk.actions.checked(action), enabled)) {
@@ -139,6 +142,20 @@ float draw_menu_bar(Desk& desk) {
       }
       ImGui::EndMenu();
     }
+    if (begin_menu(desk, "Clusters")) {
+      const Ui::Scope inner(ui, "Menu/Clusters");
+      item(desk, Action::SplitRegion);
+      item(desk, Action::MergeRegions);
+      item(desk, Action::PaintRegions);
+      ImGui::Separator();
+      item(desk, Action::ClusterAnew);
+      ImGui::Separator();
+      for (const Action action : {Action::SightRegions, Action::SightBeside, Action::SightOver,
+                                  Action::SightPanels, Action::NextSight}) {
+        item(desk, action);
+      }
+      ImGui::EndMenu();
+    }
     if (begin_menu(desk, "Solve")) {
       const Ui::Scope inner(ui, "Menu/Solve");
       item(desk, Action::SolveOrStop);
@@ -150,6 +167,7 @@ float draw_menu_bar(Desk& desk) {
       ImGui::Separator();
       item(desk, Action::ModeDual);
       item(desk, Action::ModePlanarize);
+      item(desk, Action::ModeCluster);
       ImGui::EndMenu();
     }
     if (begin_menu(desk, "Help")) {

@@ -85,12 +85,20 @@ void Ui::finish_wheel(ImGuiID id, bool hovered, Edit& edit) {
 
 Edit Ui::length(std::string_view name, std::string_view label, double& value, double per_pixel,
                 std::string_view unit, std::string_view tooltip) {
-  const ImVec2 origin = ImGui::GetCursorScreenPos();
-  label_cell(label, tooltip);
-  ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(), origin.y));
   QuantityLook look;
   look.unit = unit;
   look.per_pixel = per_pixel;
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  label_cell(label, tooltip);
+  ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(), origin.y));
+  return quantity(name, value, look);
+}
+
+Edit Ui::quantity_row(std::string_view name, std::string_view label, double& value,
+                      const QuantityLook& look) {
+  const ImVec2 origin = ImGui::GetCursorScreenPos();
+  label_cell(label, look.tooltip);
+  ImGui::SetCursorScreenPos(ImVec2(origin.x + label_width(), origin.y));
   return quantity(name, value, look);
 }
 

@@ -50,6 +50,11 @@ struct DemandSummary {
   ImU32 colour;
 };
 DemandSummary demand_summary(const Desk& desk);
+// The clusters in the left panel, one line on them for the section's title, and what came of them for the
+// report.
+void draw_clusters(Desk& desk);
+std::string clusters_summary(const Desk& desk);
+void draw_cluster_report(Desk& desk);
 // What a pixel of a drag changes a length by: about a thousandth of the model, as a round number.
 double length_step(const Desk& desk);
 

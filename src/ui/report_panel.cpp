@@ -96,6 +96,8 @@ void draw_report(Desk& desk) {
     desk.ui.small_text("No design yet.");
     return;
   }
+  const bool clusters = desk.state.document().settings().mode == ComplexKind::Cluster;
+  if (clusters && desk.ui.section("clusters", "Panels of clusters")) draw_cluster_report(desk);
   if (desk.ui.section("panels", "Panels")) draw_measures(desk);
   if (desk.ui.section("solve", "Solve")) draw_solve_report(desk);
   if (desk.ui.section("energies", "Energies")) draw_energy_table(desk);

@@ -30,10 +30,14 @@ void draw_findings_of(Desk& desk, const ElementRef& element) {
 }
 
 // "12 panels, 3 corners"
-std::string summary(const Selection& selection, ComplexKind kind) {
-  const bool dual = kind == ComplexKind::Dual;
-  const auto panels = static_cast<int>(dual ? selection.vertices.size() : selection.faces.size());
-  const int corners = element_count(selection) - panels;
+std::string summary(const AppState& state, const Selection& selection) {
+  const ComplexKind kind = state.document().settings().mode;
+  const auto named =
+      static_cast<int>(kind == ComplexKind::Dual ? selection.vertices.size() : selection.faces.size());
+  const int corners = element_count(selection) - named;
+  // Panels of clusters are named by all faces of their regions.
+  const auto panels =
+      kind == ComplexKind::Cluster ? static_cast<int>(state.selected_regions().size()) : named;
   std::string text;
   if (panels > 0) text = format_count(panels, "panel", "panels");
   if (corners > 0) text += (text.empty() ? "" : ", ") + format_count(corners, "corner", "corners");
@@ -266,7 +270,7 @@ void draw_selection(Desk& desk) {
                ui.colours().ink_faint, true);
   } else {
     if (!state.selection().empty()) {
-      ui.value_row("Selected", summary(state.selection(), shown->complex().kind), ui.colours().accent);
+      ui.value_row("Selected", summary(state, state.selection()), ui.colours().accent);
     }
     const TangentComplex& complex = shown->complex();
     if (state.selected_point && *state.selected_point < complex.point_count()) {

@@ -1,4 +1,5 @@
 // What scripts ask of the program's state, by name: state_value() and state_keys() of test_driver.h.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -126,6 +127,41 @@ std::optional<std::string> suggestion_value(const AppState& state, const std::st
   return std::nullopt;
 }
 
+// regions: how many there are, 0 while there are none; asked_regions; clustering; clustering_ms: the newest;
+// cluster_error: why there is nothing new, or empty; sight; hovered_region, selected_region: -1 for none,
+// selected_regions; region_faces.N: how many it has; report_panels, report_l21, report_rms, report_acute,
+// report_repairs: "none" until they are known.
+std::optional<std::string> cluster_value(const DriverContext& c, const std::string& key) {
+  const AppState& state = c.state;
+  const auto& clusters = state.clusters();
+  if (key == "regions") return text_of(clusters ? clusters->regions.count() : 0);
+  if (key == "asked_regions") return text_of(state.cluster_options().panels);
+  if (key == "clustering") return state.clustering() ? "1" : "0";
+  if (key == "clustering_ms") return text_of(state.milliseconds_per_clustering());
+  if (key == "cluster_error") return state.cluster_error() ? state.cluster_error()->what : "";
+  if (key == "sight") return std::string(name(state.cluster_sight()));
+  if (key == "hovered_region") return text_of(c.viewport.hovered_region().value_or(-1));
+  const std::vector<int>& selected = state.selected_regions();
+  if (key == "selected_regions") return std::to_string(selected.size());
+  if (key == "selected_region") return text_of(selected.empty() ? -1 : selected.front());
+  if (key.starts_with("region_faces.")) {
+    const auto region = number_in(key.substr(13));
+    if (!region || !clusters) return std::nullopt;
+    const std::vector<int>& regions = clusters->regions.region_of_face;
+    return std::to_string(std::count(regions.begin(), regions.end(), static_cast<int>(*region)));
+  }
+  if (key.starts_with("report_")) {
+    const auto report = state.cluster_report();
+    if (!report) return "none";
+    if (key == "report_l21") return text_of(report->l21);
+    if (key == "report_rms") return report->panels_to_mesh ? text_of(report->panels_to_mesh->rms()) : "none";
+    if (key == "report_max") return report->panels_to_mesh ? text_of(report->panels_to_mesh->max()) : "none";
+    if (key == "report_acute") return std::to_string(report->acute.size());
+    if (key == "report_repairs") return std::to_string(report->repairs.size());
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<std::string>& state_keys() {
@@ -200,6 +236,12 @@ const std::vector<std::string>& state_keys() {
                                                 "pins",
                                                 "plane_pins",
                                                 "tool",
+                                                "regions",
+                                                "asked_regions",
+                                                "clustering",
+                                                "cluster_error",
+                                                "sight",
+                                                "selected_regions",
                                                 "layers",
                                                 "active_layer",
                                                 "browser_open",
@@ -223,7 +265,12 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "vertices") return count(document.empty() ? 0 : document.mesh()->vertex_count());
   if (key == "faces") return count(document.empty() ? 0 : document.mesh()->face_count());
   if (key == "edges") return count(document.empty() ? 0 : document.mesh()->edge_count());
-  if (key == "mode") return std::string(document.settings().mode == ComplexKind::Dual ? "dual" : "planarize");
+  if (key == "mode") {
+    const ComplexKind mode = document.settings().mode;
+    return std::string(mode == ComplexKind::Dual        ? "dual"
+                       : mode == ComplexKind::Planarize ? "planarize"
+                                                        : "cluster");
+  }
   if (key == "offset") return text_of(document.settings().offset);
   if (key == "freedom") return count(static_cast<int>(document.settings().freedom));
   if (key == "border") return count(static_cast<int>(document.settings().border));
@@ -280,6 +327,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "objective") return text_of(state.history().empty() ? 0.0 : state.history().back().objective);
   if (auto value = finding_value(state, key)) return value;
   if (auto value = suggestion_value(state, key)) return value;
+  if (auto value = cluster_value(c, key)) return value;
   if (key == "findings_text") return why_no_findings(findings_standing(state), c.window.settings.unit);
   if (key == "history") return count(document.history().size());
   if (key == "steps_done") return count(document.steps_done());
@@ -334,7 +382,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
     const auto& held = pin.at[static_cast<std::size_t>(what[0] - 'x')];
     return held ? text_of(*held) : "free";
   }
-  if (key == "tool") return std::string(state.tool == Tool::Box ? "box" : "look");
+  if (key == "tool") return std::string(name(state.tool));
   if (key == "layers") return count(state.layer_count());
   if (key == "active_layer") return count(state.active_layer());
   if (key.starts_with("layer.")) {  // layer.N.name, .offset, .visible, .status, .planar
@@ -374,6 +422,8 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "drain_max_ms") return text_of(state.timings.drain.max());
   if (key == "upload_median_ms") return text_of(state.timings.upload.median());
   if (key == "upload_max_ms") return text_of(state.timings.upload.max());
+  if (key == "frame_median_ms") return text_of(state.timings.frame.median());
+  if (key == "frame_max_ms") return text_of(state.timings.frame.max());
   if (key == "stream_median_ms") return text_of(state.timings.stream.median());
   if (key == "stream_cpu_max_ms") return text_of(state.timings.stream_cpu.max());
   if (key == "stream_max_ms") return text_of(state.timings.stream.max());

@@ -418,6 +418,9 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
     if (const auto at = find_element(verb.substr(6), expanded(words[1]), c)) {
       click_at(*at, words.size() > 2 ? held_in(words[2]) : HeldKeys());
     }
+  } else if (verb == "click_region" || verb == "hover_region" || verb == "click_border" ||
+             verb == "drag_region") {
+    run_on_regions(words, c);
   } else if (verb == "drag_pin") {
     const int pin = static_cast<int>(number(words[1]));
     const auto at = c.viewport.place_of_pin(c.state, pin);
@@ -559,9 +562,10 @@ void UiDump::frame(const DriverContext& c) {
   }
   std::ostringstream line;
   line << "state";
-  for (const char* key : {"document", "revision", "ticket", "solving", "settled", "status", "asked",
-                          "polished", "badge", "iterates_before_end", "weight.fairing", "undo", "camera",
-                          "colours", "messages_posted", "hovered_edge"}) {
+  for (const char* key : {"document",       "revision", "ticket",   "solving", "settled",
+                          "status",         "asked",    "polished", "badge",   "iterates_before_end",
+                          "weight.fairing", "undo",     "camera",   "colours", "messages_posted",
+                          "hovered_edge",   "mode",     "regions",  "tool",    "hovered_region"}) {
     line << ' ' << key << "=\"" << state_value(c, key).value_or("?") << '"';
   }
   if (line.str() != printed_state_) {

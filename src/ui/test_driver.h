@@ -98,6 +98,10 @@ class TestDriver {
   std::optional<ImVec2> find_element(const std::string& kind, const std::string& which,
                                      const DriverContext& context);
   std::optional<ImVec2> find_edge(const std::string& which, const DriverContext& context);
+  std::optional<ImVec2> find_region(const std::string& which, const DriverContext& context);
+  // A place of a region beside $region, or of the border between the two.
+  std::optional<ImVec2> find_neighbour(const std::string& which, bool border, const DriverContext& context);
+  void run_on_regions(const std::vector<std::string>& words, const DriverContext& context);
   const UiRecord* control(const std::string& path, const DriverContext& context);
   void wait(std::string what, double seconds, std::function<bool(const DriverContext&, int frame)> over);
   double number(const std::string& word);

@@ -95,6 +95,7 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
       v.occluder.polygons = v.mesh->faces;
     }
     v.hover_probe = {-1, -1};
+    v.dirty = true;
   }
   if (v.drawn_ghost != state.ghost()) {
     v.drawn_ghost = state.ghost();
@@ -110,7 +111,8 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
     const auto [per_panel, per_point] = v.values();
     v.renderer.set_panel_values(per_panel, per_point);
   }
-  if (new_mesh || new_view || new_colours) v.marks_stale = v.dirty = true;
+  if (new_mesh || new_view || new_colours)
+    v.marks_stale = v.pane_dirty[static_cast<int>(Pane::Panels)] = true;
 
   std::optional<render::ColourScale> scale;
   if (v.shown && v.colours != ColourMap::None && (v.colours != ColourMap::Findings || v.coloured)) {
@@ -119,7 +121,7 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
   if (!same(scale, v.scale)) {
     v.scale = scale;
     v.renderer.set_colours(scale);
-    v.dirty = true;
+    v.pane_dirty[static_cast<int>(Pane::Panels)] = true;
   }
   if (v.dark != dark || v.ghost != state.view_options.ghost) {
     v.dark = dark;
@@ -128,6 +130,7 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
   }
   v.upload_surfaces(state);
   v.upload_marks(state);
+  v.upload_regions(state);
   if (v.fitted != state.opened_count() && v.mesh && v.place.width() > 1) {
     v.fitted = state.opened_count();
     v.camera.reset_direction();
@@ -196,6 +199,7 @@ void Viewport::fit(const AppState& state) {
   }
   impl_->flight.reset();
   impl_->camera.fit(low, high);
+  impl_->framed = true;
   impl_->dirty = true;
 }
 
@@ -246,6 +250,7 @@ void Viewport::look_at(const Vector3d& scene_point, double radius) {
   const double shown_radius = 0.5 * v.camera.height() * v.camera.pixel_size_at(scene_point);
   if (radius > 0 && shown_radius > 0) v.camera.zoom(shown_radius / radius, scene_point);
   v.flight = Impl::Flight{from, v.camera, Clock::now()};
+  v.framed = false;
   v.camera = from;
   v.dirty = true;
 }
@@ -272,6 +277,7 @@ std::optional<EditTarget> Viewport::take_context_request() {
 
 std::optional<ImVec2> Viewport::clickable_place_of_edge(const AppState& state, int edge) const {
   const Impl& v = *impl_;
+  const Impl::PaneScope scope(*impl_, Pane::Panels);
   if (!v.mesh || v.mesh != state.mesh_view() || edge < 0 || edge >= static_cast<int>(v.mesh->edges.size())) {
     return std::nullopt;
   }
@@ -291,6 +297,7 @@ std::optional<ImVec2> Viewport::clickable_place_of_edge(const AppState& state, i
 
 std::optional<ImVec2> Viewport::clickable_place_of_panel(const AppState& state, int panel) const {
   const Impl& v = *impl_;
+  const Impl::PaneScope scope(*impl_, Pane::Panels);
   if (!v.shown || panel < 0 || panel >= v.panel_layer.polygons.size()) return std::nullopt;
   const auto corners = v.panel_layer.polygons[panel];
   if (corners.empty()) return std::nullopt;
@@ -315,6 +322,7 @@ std::optional<ImVec2> Viewport::clickable_place_of_panel(const AppState& state, 
 
 std::optional<ImVec2> Viewport::clickable_place_of_corner(const AppState& state, int point) const {
   const Impl& v = *impl_;
+  const Impl::PaneScope scope(*impl_, Pane::Panels);
   if (!v.shown || point < 0 || point >= v.shown->points.rows()) return std::nullopt;
   const Vector3d at = v.shown->points.row(point).transpose();
   if (v.camera.depth(at) <= 0) return std::nullopt;
@@ -330,6 +338,7 @@ std::optional<ImVec2> Viewport::place_of_pin(const AppState& state, int pin) con
   if (pin < 0 || pin >= static_cast<int>(pins.size())) return std::nullopt;
   const auto at = state.pin_place(pins[static_cast<std::size_t>(pin)]);
   if (!at) return std::nullopt;
+  const Impl::PaneScope scope(*impl_, Pane::Panels);
   const ImVec2 exact = impl_->to_window(impl_->camera.project(*at));
   const ImVec2 whole(std::round(exact.x), std::round(exact.y));
   const auto hit = impl_->pin_under(state, whole, 1.0f);
@@ -341,14 +350,7 @@ std::optional<ImVec2> Viewport::place_of_pin(const AppState& state, int pin) con
 void Viewport::draw(Ui& ui, AppState& state, const Rect& place) {
   Impl& v = *impl_;
   const float ratio = ImGui::GetIO().DisplayFramebufferScale.x;
-  v.place = place;
-  v.pixel_ratio = ratio > 0 ? ratio : 1.0f;
-  const int width = std::max(1, static_cast<int>(place.width() * v.pixel_ratio));
-  const int height = std::max(1, static_cast<int>(place.height() * v.pixel_ratio));
-  if (v.camera.width() != width || v.camera.height() != height) {
-    v.camera.set_viewport(width, height);
-    v.dirty = true;
-  }
+  if (v.arrange(place, state.cluster_sight(), ratio > 0 ? ratio : 1.0f) && v.framed) fit(state);
 
   ImGui::SetNextWindowPos(place.min);
   ImGui::SetNextWindowSize(ImVec2(place.width(), place.height()));
@@ -370,41 +372,83 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place) {
   const Stopwatch watch;
   v.picture(ui, state);
   if (v.redrawn) state.timings.scene.add(watch.milliseconds());
-  ImGui::GetWindowDrawList()->AddImage(v.target.texture(), place.min, place.max, ImVec2(0, 1), ImVec2(1, 0));
-  v.draw_suggestions(ui, state);
-  if (v.scale && v.shown) draw_legend(ui, v.place, *v.scale, v.colours);
-  draw_axes(ui, v.place, v.camera);
+  for (const Pane pane : {Pane::Regions, Pane::Panels}) {
+    if (!v.shows(pane)) continue;
+    const Rect rect = v.rect_of(pane);
+    ImGui::GetWindowDrawList()->AddImage(v.targets[static_cast<int>(pane)].texture(), rect.min, rect.max,
+                                         ImVec2(0, 1), ImVec2(1, 0));
+  }
+  v.draw_panes(ui, state);
+  if (v.shows(Pane::Panels)) {
+    const Impl::PaneScope scope(v, Pane::Panels);
+    v.draw_suggestions(ui, state);
+    if (v.scale && v.shown) draw_legend(ui, v.place, *v.scale, v.colours);
+  }
+  draw_axes(ui, v.whole, v.camera);
   if (v.boxing && v.dragging) v.draw_box(ui, ImGui::GetIO().MousePos);
-  if (state.tool == Tool::Box) draw_tool_hint(ui, v.place, state);
+  if (state.tool == Tool::Box) draw_tool_hint(ui, v.rect_of(Pane::Panels), box_hint(state));
+  if (changes_regions(state.tool)) draw_tool_hint(ui, v.rect_of(Pane::Regions), Impl::region_hint(state));
   ImGui::End();
+}
+
+// Where the panes are, and the camera's picture, which has the size of one. What fills the picture goes on to
+// fill it when there are two panes instead of one, or the other way round.
+bool Viewport::Impl::arrange(const Rect& all, ClusterSight how, float ratio) {
+  const bool panes_change = (sight == ClusterSight::Beside) != (how == ClusterSight::Beside);
+  if (sight != how) dirty = true;
+  whole = all;
+  sight = how;
+  pixel_ratio = ratio;
+  if (!pressed) pane = pane_at(ImGui::GetIO().MousePos);
+  if (!shows(pane)) pane = pane_at(whole.min);
+  enter(pane);
+  const int width = std::max(1, static_cast<int>(place.width() * pixel_ratio));
+  const int height = std::max(1, static_cast<int>(place.height() * pixel_ratio));
+  if (camera.width() == width && camera.height() == height) return panes_change;
+  const double before = std::min(camera.width(), camera.height()), after = std::min(width, height);
+  camera.set_viewport(width, height);
+  if (panes_change && before > 1) camera.zoom(after / before, camera.target());
+  dirty = true;
+  return panes_change;
 }
 
 void Viewport::Impl::picture(Ui& ui, AppState& state) {
   const bool coarse = moving && full_ms > kSlowPicture;
   // The small things come when the picture stands still.
   const bool fine = !moving && (!state.solving() || state.polishing());
-  if (fine && !fine_picture) dirty = true;
+  if (fine && !fine_picture) pane_dirty[static_cast<int>(Pane::Panels)] = true;
   const int divisor = coarse ? 2 : 1;
   const int width = std::max(1, camera.width() / divisor), height = std::max(1, camera.height() / divisor);
-  if (target.resize(width, height)) dirty = true;
   coarse_picture = coarse;
   redrawn = false;
-  if (!dirty) return;
-  dirty = false;
-  redrawn = true;
-  fine_picture = fine;
-
   const Stopwatch watch;
-  glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
-  render::Viewport view;
-  view.width = width;
-  view.height = height;
-  view.pixel_scale = ui.theme().scale() * pixel_ratio / static_cast<float>(divisor);
-  view.fine = fine;
-  render::Theme look;
-  look.dark = dark;
-  renderer.draw(camera, view, look, state.view_options.ghost || !shown);
-  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  if (sight == ClusterSight::Over && std::exchange(pane_dirty[static_cast<int>(Pane::Panels)], false))
+    pane_dirty[static_cast<int>(Pane::Regions)] = true;
+  for (const Pane each : {Pane::Regions, Pane::Panels}) {
+    if (!shows(each)) continue;
+    RenderTarget& target = targets[static_cast<int>(each)];
+    bool& stale = pane_dirty[static_cast<int>(each)];
+    if (!target.resize(width, height) && !dirty && !stale) continue;
+    stale = false;
+    redrawn = true;
+    if (each == Pane::Panels || sight == ClusterSight::Over) fine_picture = fine;
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer());
+    render::Viewport view;
+    view.width = width;
+    view.height = height;
+    view.pixel_scale = ui.theme().scale() * pixel_ratio / static_cast<float>(divisor);
+    view.fine = fine;
+    render::Theme look;
+    look.dark = dark;
+    using What = render::Renderer::What;
+    const What what = each == Pane::Panels                   ? What::Panels
+                      : sight == ClusterSight::Over && shown ? What::Over
+                                                             : What::Regions;
+    renderer.draw(camera, view, look, state.view_options.ghost || (each == Pane::Panels && !shown), what);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+  }
+  dirty = false;
+  if (!redrawn) return;
   if (!coarse && moving) glFinish();  // only while moving: to know whether coarse is worth it
   if (!coarse) full_ms = watch.milliseconds();
 }

@@ -40,6 +40,9 @@ class Viewport {
   bool flying() const;  // the next frame shows another picture
 
   std::optional<int> hovered_edge() const;
+  std::optional<int> hovered_region() const;  // of the coloured input
+  // Where panels are drawn: all of it, or one half; before the first draw() nothing.
+  Rect panels_place() const;
   // What a click of the right button was on, once: edits of it are wanted.
   std::optional<EditTarget> take_context_request();
   // Where a click would take the panel, the corner, or the pin (of the active layer), if one would.
@@ -48,6 +51,9 @@ class Viewport {
   std::optional<ImVec2> place_of_pin(const AppState& state, int pin) const;
   // Where the middle of a mesh edge is on the window, if it is the edge that a click there would take.
   std::optional<ImVec2> clickable_place_of_edge(const AppState& state, int edge) const;
+  // Where a click would take the region, or the border between two; a border needs the tool that merges.
+  std::optional<ImVec2> clickable_place_of_region(const AppState& state, int region) const;
+  std::optional<ImVec2> clickable_place_of_border(const AppState& state, int a, int b) const;
   // Likewise the middle of the picture's nearest panel; for tests that orbit.
   const render::Camera& camera() const;
   // A picture was drawn since the last call; for the timings and for tests.

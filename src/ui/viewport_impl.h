@@ -1,7 +1,8 @@
 // Viewport::Impl: what the viewport holds between frames and how it finds what is under the mouse. Internal
 // to viewport.cpp (uploading, camera, drawing), viewport_marks.cpp (marks), viewport_findings.cpp (what is
-// bad, and edges to click), viewport_suggestions.cpp (ghosts of edits) and viewport_mouse.cpp (what the mouse
-// does). Threads: the window's.
+// bad, and edges to click), viewport_suggestions.cpp (ghosts of edits), viewport_regions.cpp (the input in
+// its regions' colours, and the tools that change them) and viewport_mouse.cpp (what the mouse does).
+// Threads: the window's.
 #pragma once
 
 #include <imgui_internal.h>
@@ -25,6 +26,7 @@ inline constexpr float kCornerReach = 7;  // likewise a corner, but not more tha
 inline constexpr float kCornerPart = 0.2f;
 inline constexpr float kPinReach = 9;
 inline constexpr float kVertexReach = 14;  // of a menu, which lists what is near beside each other
+inline constexpr float kBrushRadius = 10;  // pixels at scale 1
 inline constexpr float kFlaggedReach = 9;  // of an edge that a finding flags, which goes before others
 // Ends of an edge belong to the panels that meet there; only the middle of it flips.
 inline constexpr float kEdgeEnds = 0.2f;
@@ -40,14 +42,27 @@ inline OnSegment nearest_on_segment(glm::vec2 a, glm::vec2 b, glm::vec2 pixel) {
   return {t, glm::distance(a + t * along, pixel)};
 }
 
+// Side by side the viewport has two panes of the same size, which one camera looks into.
+enum class Pane { Regions, Panels };
+
+// The face of the input under the mouse, and the one across the border between two regions, if one was hit;
+// -1: nothing.
+struct RegionHover {
+  int face = -1, other = -1;
+  bool operator==(const RegionHover&) const = default;
+};
+
 struct Viewport::Impl {
   explicit Impl(render::Renderer r) : renderer(std::move(r)) {}
 
   render::Renderer renderer;
   render::Camera camera;
-  RenderTarget target;
-  Rect place{};           // on the window
-  float pixel_ratio = 1;  // framebuffer pixels per window pixel
+  RenderTarget targets[2];  // by Pane
+  Rect whole{};             // on the window
+  ClusterSight sight = ClusterSight::Panels;
+  Pane pane = Pane::Panels;  // that the mouse is over, or was pressed in
+  Rect place{};              // that pane's, on the window
+  float pixel_ratio = 1;     // framebuffer pixels per window pixel
 
   // What the renderer holds.
   std::shared_ptr<const MeshView> mesh;
@@ -80,13 +95,15 @@ struct Viewport::Impl {
   std::uint64_t fitted = 0;
 
   bool dirty = true, coarse_picture = false, fine_picture = false, redrawn = false;
-  bool moving = false;  // the camera, in this frame
+  bool pane_dirty[2] = {false, false};  // by Pane: that one alone is to be drawn anew
+  bool moving = false;                  // the camera, in this frame
   struct Flight {
     render::Camera from, to;
     Clock::time_point begin;
   };
   std::optional<Flight> flight;
-  double full_ms = 0;  // what a full picture took lately
+  bool framed = false;  // the whole model is in the picture, as fit() shows it; it may be turned
+  double full_ms = 0;   // what a full picture took lately
 
   // The mouse.
   std::optional<int> hovered, hovered_corner, hovered_pin;
@@ -101,6 +118,16 @@ struct Viewport::Impl {
   bool right_press = false;
   std::optional<EditTarget> context_request;
 
+  // Regions, as the renderer holds them.
+  std::shared_ptr<const RegionView> regions;
+  std::vector<std::pair<int, int>> border_ends;   // of mesh edges between two regions
+  std::vector<std::pair<int, int>> border_faces;  // beside each
+  std::vector<int> regions_marked;                // that are shown as selected
+  RegionHover region_hover, region_hover_marked;
+  bool region_marks_stale = true;
+  Tool tool_marked = Tool::Look;
+  bool painting = false;
+
   glm::vec2 to_picture(ImVec2 window) const {
     return {(window.x - place.min.x) * pixel_ratio, (window.y - place.min.y) * pixel_ratio};
   }
@@ -111,7 +138,40 @@ struct Viewport::Impl {
     return {place.min.x + picture.x / pixel_ratio, place.min.y + picture.y / pixel_ratio};
   }
 
+  Rect rect_of(Pane of) const {
+    if (sight != ClusterSight::Beside) return whole;
+    const float middle_x = std::round(0.5f * (whole.min.x + whole.max.x));
+    return of == Pane::Regions ? Rect{whole.min, {middle_x, whole.max.y}}
+                               : Rect{{middle_x, whole.min.y}, whole.max};
+  }
+  bool shows(Pane of) const {
+    return sight == ClusterSight::Beside || (of == Pane::Panels) == (sight == ClusterSight::Panels);
+  }
+  Pane pane_at(ImVec2 window) const {
+    if (sight == ClusterSight::Beside)
+      return rect_of(Pane::Regions).contains(window) ? Pane::Regions : Pane::Panels;
+    return sight == ClusterSight::Panels ? Pane::Panels : Pane::Regions;
+  }
+  void enter(Pane of) {
+    pane = of;
+    place = rect_of(of);
+  }
+  // For as long as it lives, places of the window are of that pane.
+  class PaneScope {
+   public:
+    PaneScope(Impl& impl, Pane pane) : impl_(impl), before_(impl.pane) { impl_.enter(pane); }
+    ~PaneScope() { impl_.enter(before_); }
+    PaneScope(const PaneScope&) = delete;
+    PaneScope& operator=(const PaneScope&) = delete;
+
+   private:
+    Impl& impl_;
+    Pane before_;
+  };
+  bool any_dirty() const { return dirty || pane_dirty[0] || pane_dirty[1]; }
+
   const render::PolygonLayer* pick_layer() const {
+    if (pane == Pane::Regions) return mesh ? &occluder : nullptr;
     if (shown && panel_layer.points.rows() > 0) return &panel_layer;
     return mesh ? &occluder : nullptr;
   }
@@ -166,6 +226,8 @@ struct Viewport::Impl {
     return best;
   }
 
+  // Whether there are more or fewer panes than before.
+  bool arrange(const Rect& all, ClusterSight how, float ratio);
   void show(std::shared_ptr<const PreparedView> view);
   // Per panel and per point; what the colours do not ask for, or is not known yet, is empty.
   std::pair<Vector, Vector> values() const {
@@ -205,6 +267,18 @@ struct Viewport::Impl {
   void draw_box(const Ui& ui, ImVec2 at) const;
   void upload_surfaces(const AppState& state);
   void picture(Ui& ui, AppState& state);
+
+  void upload_regions(const AppState& state);
+  void upload_region_marks(const AppState& state);
+  RegionHover region_under(const AppState& state, ImVec2 at, float scale_factor) const;
+  std::vector<int> faces_in_brush(ImVec2 at, float radius) const;
+  // Whether a stroke has begun.
+  bool begin_painting(AppState& state, ImVec2 at, float scale_factor);
+  void paint(AppState& state, ImVec2 from, ImVec2 to, float scale_factor) const;
+  void click_region(AppState& state, ImVec2 at, Combine how, float scale_factor);
+  void explain_region(Ui& ui, const AppState& state) const;
+  static std::string region_hint(const AppState& state);
+  void draw_panes(Ui& ui, const AppState& state) const;
 };
 
 }  // namespace planewright::ui

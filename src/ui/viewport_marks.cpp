@@ -86,7 +86,7 @@ void Viewport::Impl::upload_marks(const AppState& state) {
         {mesh->points.row(a).transpose(), mesh->points.row(b).transpose(), render::Segment::Kind::Hovered});
   }
   renderer.set_markers(marks, segments);
-  dirty = true;
+  pane_dirty[static_cast<int>(Pane::Panels)] = true;
 }
 
 }  // namespace planewright::ui

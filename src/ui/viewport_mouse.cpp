@@ -32,19 +32,23 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
     left_press = io.MouseDown[0] && !io.MouseDown[1] && !io.MouseDown[2];
     right_press = io.MouseDown[1] && !io.MouseDown[0] && !io.MouseDown[2];
     flight.reset();
-    boxing = left_press && state.tool == Tool::Box && shown != nullptr;
+    const bool on_panels = pane == Pane::Panels;
+    boxing = left_press && state.tool == Tool::Box && on_panels && shown != nullptr;
     const bool plain = !io.KeyShift && !io.KeyCtrl && !io.KeyAlt;
-    dragged_pin = left_press && plain && !boxing ? pin_under(state, at, scale_factor) : std::nullopt;
+    painting = left_press && plain && begin_painting(state, at, scale_factor);
+    dragged_pin =
+        left_press && plain && on_panels && !boxing ? pin_under(state, at, scale_factor) : std::nullopt;
     if (dragged_pin) {
       const auto& pins = state.document().settings().demands.pins;
       pin_from = *state.pin_place(pins[static_cast<std::size_t>(*dragged_pin)]);
     }
     pans = io.KeyShift || !left_press;
     pivot = pivot_under(at);
-    if (plain && !boxing && !dragged_pin && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) &&
-        !flipped_by_click) {
+    const bool tool_clicks = !on_panels && changes_regions(state.tool);
+    if (plain && !boxing && !dragged_pin && !tool_clicks &&
+        ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left) && !flipped_by_click) {
       camera.pan(middle() - to_picture(at), pivot);
-      pressed = false;
+      pressed = framed = false;
       dirty = true;
     }
   }
@@ -58,10 +62,13 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
       const glm::vec2 step((at.x - last_at.x) * pixel_ratio, (at.y - last_at.y) * pixel_ratio);
       if (dragged_pin) {
         drag_pin(state, at);
+      } else if (painting) {
+        paint(state, last_at, at, scale_factor);
       } else if (boxing) {
         // The box is drawn over the picture, which stays as it is.
       } else if (pans) {
         camera.pan(step, pivot);
+        framed = false;
         dirty = true;
       } else {
         camera.orbit(step, pivot);
@@ -69,14 +76,19 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
       }
       last_at = at;
     }
-    moving = dragging && !boxing && !dragged_pin;
+    moving = dragging && !boxing && !dragged_pin && !painting;
   }
   if (pressed && ImGui::IsItemDeactivated()) {
     pressed = false;
     if (dragging && boxing) select_box(state, press_at, at);
     if (dragging && dragged_pin) state.end_merge();
     if (boxing) state.tool = Tool::Look;
-    if (!dragging && left_press && !io.MouseDown[0]) click(ui, state, press_at);
+    if (painting) {
+      state.end_painting();
+      painting = false;
+    } else if (!dragging && left_press && !io.MouseDown[0]) {
+      click(ui, state, press_at);
+    }
     if (!dragging && right_press && !io.MouseDown[1]) context_request = target_under(press_at, scale_factor);
     dragging = boxing = false;
     dragged_pin.reset();
@@ -85,12 +97,14 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
   if (hovered_now && io.MouseWheel != 0) {
     flight.reset();
     camera.zoom(std::pow(kZoomPerNotch, static_cast<double>(io.MouseWheel)), to_picture(at));
+    framed = false;
     dirty = true;
     hover_probe = {-1, -1};
   }
 
   // Hover: asked anew only when the mouse or the view has moved.
   if (!hovered_now || pressed || state.tool == Tool::Box) {
+    if (!hovered_now || (pressed && dragging && !painting)) region_hover = {};
     if (!pressed || dragging) {
       hovered.reset();
       hovered_corner.reset();
@@ -100,11 +114,12 @@ void Viewport::Impl::mouse(Ui& ui, AppState& state, bool hovered_now) {
     if (hovered_now && state.tool == Tool::Box) ImGui::SetMouseCursor(ImGuiMouseCursor_Arrow);
   } else {
     const glm::vec2 probe = to_picture(at);
-    if (probe != hover_probe || dirty) {
+    if (probe != hover_probe || any_dirty()) {
       hover_probe = probe;
       hover(ui, state, at);
     }
   }
+  if (hovered_now && pane == Pane::Regions && !pressed) explain_region(ui, state);
   explain_hovered(ui, state);
 }
 
@@ -113,9 +128,16 @@ void Viewport::Impl::hover(Ui& ui, const AppState& state, ImVec2 at) {
   const float scale_factor = ui.theme().scale();
   hovered.reset();
   hovered_corner.reset();
+  hovered_pin.reset();
+  region_hover = {};
+  if (pane == Pane::Regions) {
+    region_hover = region_under(state, at, scale_factor);
+    return;
+  }
   hovered_pin = pin_under(state, at, scale_factor);
   if (hovered_pin) return;
-  hovered = edge_under(at, scale_factor);
+  // The mesh is much finer than panels of clusters: its edges are in the way of these.
+  if (state.document().settings().mode != ComplexKind::Cluster) hovered = edge_under(at, scale_factor);
   hovered_corner = corner_under(at, scale_factor);
   if (!hovered || !hovered_corner) return;
   const float to_corner =
@@ -179,6 +201,7 @@ void Viewport::Impl::drag_pin(AppState& state, ImVec2 at) {
 void Viewport::Impl::click(Ui& ui, AppState& state, ImVec2 at) {
   const ImGuiIO& io = ImGui::GetIO();
   const Combine how = combine_of(io);
+  if (pane == Pane::Regions) return click_region(state, at, how, ui.theme().scale());
   if (io.KeyAlt) return click_loop(state, at, how);
   hover(ui, state, at);
   const auto edge = std::exchange(hovered, std::nullopt);

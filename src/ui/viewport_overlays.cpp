@@ -24,12 +24,14 @@ ImVec2 legend_size(const Ui& ui) {
   return {ui.px(284), 2 * ui.theme().small()->FontSize + ui.px(kLegendBar) + 3 * ui.px(8)};
 }
 
-void draw_tool_hint(Ui& ui, const Rect& place, const AppState& state) {
+std::string box_hint(const AppState& state) {
+  return std::string("Drag a box round ") + (state.select_what == SelectWhat::Panels ? "panels" : "corners") +
+         "  ·  Shift adds  ·  Ctrl removes  ·  Alt: only what is in sight  ·  Esc leaves";
+}
+
+void draw_tool_hint(Ui& ui, const Rect& place, const std::string& text) {
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const Palette& p = ui.colours();
-  const std::string text = std::string("Drag a box round ") +
-                           (state.select_what == SelectWhat::Panels ? "panels" : "corners") +
-                           "  ·  Shift adds  ·  Ctrl removes  ·  Alt: only what is in sight  ·  Esc leaves";
   ImFont* font = ui.theme().small();
   const std::string fitting = elided(font, text, place.width() - ui.px(48));
   const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, fitting.c_str());
@@ -37,6 +39,21 @@ void draw_tool_hint(Ui& ui, const Rect& place, const AppState& state) {
   const ImVec2 max(min.x + size.x + 2 * ui.px(12), min.y + ui.px(26));
   draw.AddRectFilled(min, max, p.accent, ui.px(13));
   draw_text_aligned(draw, font, ImVec2(min.x + ui.px(12), min.y), max, 0.0f, p.on_accent, fitting);
+}
+
+void draw_label(Ui& ui, const Rect& place, const std::string& text, bool busy) {
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const Palette& p = ui.colours();
+  ImFont* font = ui.theme().small();
+  const float dot = ui.px(14);
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, text.c_str());
+  const ImVec2 min(place.min.x + ui.px(12), place.min.y + ui.px(12));
+  const ImVec2 max(min.x + size.x + dot + ui.px(22), min.y + ui.px(26));
+  draw.AddRectFilled(min, max, with_alpha(p.overlay, 0.92f), ui.px(13));
+  draw.AddRect(min, max, p.line, ui.px(13));
+  const ImVec2 centre(min.x + ui.px(14), 0.5f * (min.y + max.y));
+  draw.AddCircleFilled(centre, ui.px(4), busy ? p.accent : p.ink_faint, 16);
+  draw_text_aligned(draw, font, ImVec2(min.x + ui.px(10) + dot, min.y), max, 0.0f, p.ink, text);
 }
 
 void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, ColourMap colours) {

@@ -14,7 +14,11 @@
 namespace planewright::ui {
 
 // Top left, below the badge: what the mouse does while a tool other than looking is in hand.
-void draw_tool_hint(Ui& ui, const Rect& place, const AppState& state);
+void draw_tool_hint(Ui& ui, const Rect& place, const std::string& text);
+std::string box_hint(const AppState& state);
+
+// Top left: what a pane shows, where there are several. Busy: something turns beside it.
+void draw_label(Ui& ui, const Rect& place, const std::string& text, bool busy);
 
 // Bottom left; its size, for what has to stand beside it.
 ImVec2 legend_size(const Ui& ui);

@@ -42,6 +42,12 @@ struct QuantityLook {
   std::string_view tooltip = {};
 };
 
+// A number of things on a logarithmic slider (Ui::count), see count_scale.h.
+struct CountLook {
+  int least = 1, most = 100;
+  std::string_view tooltip = {};
+};
+
 // What a weight's row shows besides the weight (Ui::weight).
 struct WeightLook {
   double reset_value = 0.0;
@@ -113,6 +119,11 @@ class Ui {
               std::string_view unit, std::string_view tooltip = {});
   // A number in a field of its own, used like length(); values of at least kNoLimit are "none".
   Edit quantity(std::string_view name, double& value, const QuantityLook& look);
+  // Likewise, with a label before the field.
+  Edit quantity_row(std::string_view name, std::string_view label, double& value, const QuantityLook& look);
+  // A slider under its label and number: drag, wheel, ctrl-click or a click on the number types. What is
+  // typed may lie outside the slider's range, but not below 1.
+  Edit count(std::string_view name, std::string_view label, int& value, const CountLook& look);
   // See weight_scale.h: drag, wheel, double click or the small button resets, ctrl-click (or a click on the
   // number) types. Two columns: weight over slider, what it adds to the objective over the share's bar.
   Edit weight(std::string_view name, std::string_view label, double& value, const WeightLook& look);

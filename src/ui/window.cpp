@@ -363,7 +363,7 @@ void Window::frame() {
   draw_convergence_panel(desk, layout.bottom);
   draw_status_bar(desk, layout.status);
   draw_splitters(desk, layout);
-  draw_solve_badge(desk, layout.viewport);
+  draw_solve_badge(desk, viewport_->panels_place());
   draw_hint(desk, layout.viewport);
   draw_messages(desk, layout.viewport);
   take_browser_result();

@@ -20,7 +20,8 @@ struct WindowState {
   bool show_keys = false;
   bool show_timings = false;
   bool show_about = false;
-  int right_tab = 0;  // findings, report
+  bool own_metric = false;  // the weights of the clusters' measure are shown, whatever they are
+  int right_tab = 0;        // findings, report
   bool tab_wanted = false;
   std::optional<int> listed_finding, listed_suggestion;  // that the list has last brought into sight
   std::optional<MeshEdit> suggestion_wanted;             // that was clicked in the list

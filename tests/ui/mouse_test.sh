@@ -1,5 +1,6 @@
 #!/bin/bash
-# The window under a real mouse: slider drag, click on an edge, orbit, wheel and keys, as X events from xdotool.
+# The window under a real mouse: slider drag, click on an edge, orbit, wheel, keys, and regions of clusters, as X events
+# from xdotool.
 #
 #   mouse_test.sh PLANEWRIGHT [FOLDER]
 #
@@ -130,6 +131,44 @@ echo "orbit and zoom: camera $(value camera)"
 # 6. Keys.
 xdotool mousemove 700 420 sleep 0.2 key c
 wait_for 20 "C colours by planarity" is colours planarity
+
+# 7. Clusters: 3 makes them, the slider changes their number, a click splits one, a drag paints.
+xdotool mousemove 700 420 sleep 0.2 key c sleep 0.2 key 3 sleep 0.2 key f
+wait_for 20 "3 makes clusters" is mode cluster
+wait_for 60 "the clusters are solved" is settled 1
+for _ in $(seq 50); do [ -n "$(control 'Design/regions')" ] && break; sleep 0.1; done
+read -r x0 y0 x1 y1 knob <<< "$(control 'Design/regions')"
+[ -n "${knob:-}" ] || fail "the slider of regions is not on the screen"
+regions=$(value regions)
+y=$(((y0 + y1) / 2))
+drag "$knob" $y $((knob - 60)) $y 1
+wait_for 20 "the regions follow the mouse" is_not regions "$regions"
+wait_for 60 "the solve ends" is settled 1
+case "$(value undo)" in
+  "Cluster into"*) ;;
+  *) fail "the drag is not in the undo list" ;;
+esac
+regions=$(value regions)
+read -r x0 y0 x1 y1 _ <<< "$(control 'model')"
+x=$((x0 + (x1 - x0) / 4))
+y=$(((y0 + y1) / 2))
+xdotool mousemove $((x + 3)) $y sleep 0.2 key x sleep 0.2 mousemove $x $y sleep 0.4
+wait_for 20 "X takes the tool that splits" is tool split
+wait_for 20 "the region under the mouse is marked" is_not hovered_region -1
+xdotool mousedown 1 sleep 0.2 mouseup 1
+wait_for 20 "the click splits" is_not regions "$regions"
+wait_for 60 "the solve ends" is settled 1
+xdotool key r
+wait_for 20 "R takes the brush" is tool paint
+camera=$(value camera)
+drag $x $y $((x + 60)) $((y + 15)) 1
+wait_for 60 "the solve ends" is settled 1
+case "$(value undo)" in
+  "Paint region"*) ;;
+  *) fail "the stroke is not in the undo list" ;;
+esac
+is camera "$camera" || fail "the stroke turned the view"
+echo "clusters: $(value regions) regions, $(value undo)"
 
 xdotool key ctrl+q
 for _ in $(seq 100); do

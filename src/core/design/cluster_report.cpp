@@ -1,7 +1,5 @@
 #include "core/design/cluster_report.h"
 
-#include <utility>
-
 #include "core/cluster/anchor_polygons.h"
 
 namespace planewright {
@@ -12,20 +10,6 @@ std::optional<TwoSidedDistance> if_measured(const Result<TwoSidedDistance>& dist
 }
 
 }  // namespace
-
-Result<std::shared_ptr<const ClusteredMesh>> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh,
-                                                          const ClusterOptions& options) {
-  const auto graph = FaceGraph::create(*mesh);
-  if (!graph) return tl::unexpected(graph.error());
-  auto clustering = cluster(*graph, options);
-  if (!clustering) return tl::unexpected(clustering.error());
-  RegionOptions of_regions;
-  of_regions.metric = options.metric;
-  auto regions = make_regions(*graph, *clustering, of_regions);
-  if (!regions) return tl::unexpected(regions.error());
-  return std::make_shared<const ClusteredMesh>(
-      ClusteredMesh{std::move(mesh), options, std::move(*clustering), std::move(*regions)});
-}
 
 ClusterReport measure_clusters(const ClusteredMesh& clustered, const Panels& panels) {
   const Regions& regions = clustered.regions;

@@ -5,29 +5,15 @@
 #pragma once
 
 #include <map>
-#include <memory>
 #include <optional>
 #include <vector>
 
-#include "core/cluster/clustering.h"
-#include "core/cluster/regions.h"
 #include "core/cluster/surface_distance.h"
 #include "core/complex/state.h"
+#include "core/design/clustered_mesh.h"
 #include "core/diagnose/panel_angles.h"
-#include "core/mesh/polygon_mesh.h"
 
 namespace planewright {
-
-// A mesh with the regions that its panels are made of.
-struct ClusteredMesh {
-  std::shared_ptr<const PolygonMesh> mesh;
-  ClusterOptions options;
-  Clustering clustering;
-  Regions regions;
-};
-// Clusters the mesh and makes regions of it. Fails as FaceGraph::create(), cluster() and make_regions() do.
-Result<std::shared_ptr<const ClusteredMesh>> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh,
-                                                          const ClusterOptions& options);
 
 struct ClusterReport {
   ClusterOptions options;

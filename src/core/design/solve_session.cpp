@@ -86,21 +86,24 @@ struct SolveSession::Impl {
     const LayerSettings& settings = job.request.settings;
     SolveOutcome outcome{job.ticket, nullptr, fail(ErrorCode::Refused, "nothing was solved")};
     try {
-      if (job.request.mesh != built_from || !same_complex(settings, built_with)) {
-        auto complex = build_complex(*job.request.mesh, settings);
+      const ClusteredMesh* clusters =
+          settings.mode == ComplexKind::Cluster ? job.request.clusters.get() : nullptr;
+      if (job.request.mesh != built_from || job.request.clusters != built_of ||
+          !same_complex(settings, built_with)) {
+        auto complex = build_complex(*job.request.mesh, settings, clusters ? &clusters->regions : nullptr);
         if (!complex) {
           outcome.report = tl::unexpected(complex.error());
           return outcome;
         }
         built = std::move(*complex);
         built_from = job.request.mesh;
+        built_of = job.request.clusters;
         built_with = settings;
       }
       outcome.complex = built;
       const Iterate* warm = job.request.warm_start.get();
-      const State start =
-          start_state(*built, settings, warm ? warm->complex.get() : nullptr, warm ? &warm->state : nullptr,
-                      job.request.edited.get());
+      const State start = start_state(*built, settings, warm ? warm->complex.get() : nullptr,
+                                      warm ? &warm->state : nullptr, job.request.edited.get());
       Publisher publisher(*this, job, built);
       SolveOptions options = solve_options(settings);
       options.abandoned = job.abandoned.get_token();
@@ -139,6 +142,7 @@ struct SolveSession::Impl {
 
   // The worker's own: the last complex built, kept for requests that change weights alone.
   std::shared_ptr<const PolygonMesh> built_from;
+  SharedClusters built_of;
   LayerSettings built_with;
   std::shared_ptr<const TangentComplex> built;
   std::map<SolverKind, std::unique_ptr<Solver>> solvers;

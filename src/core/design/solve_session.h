@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/base/result.h"
+#include "core/design/clustered_mesh.h"
 #include "core/design/layer_settings.h"
 #include "core/mesh/polygon_mesh.h"
 #include "core/problem/frozen_geometry.h"
@@ -39,6 +40,7 @@ struct Iterate {
 struct SolveRequest {
   std::shared_ptr<const PolygonMesh> mesh;
   LayerSettings settings;
+  SharedClusters clusters = {};                            // of that mesh, for ComplexKind::Cluster
   std::vector<Selection> selections = {};                  // that the settings' demands name
   std::shared_ptr<const ReferenceSurface> reference = {};  // null: the mesh itself
   std::shared_ptr<const NeighbourLayer> neighbour = {};    // null: none

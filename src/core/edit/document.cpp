@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <optional>
 #include <utility>
 
 #include "core/edit/remap.h"
@@ -107,11 +108,19 @@ Result<std::vector<std::string>> Document::edit_mesh(const std::vector<MeshEdit>
     edited = {std::move(next->mesh), i == 0 ? std::move(next->map) : composed(edited.map, next->map)};
   }
   Moment next = history_.present();
-  RemappedDesign design = remapped(std::move(next.design), edited.map, *mesh(), edited.mesh);
+  next.mesh = std::make_shared<const PolygonMesh>(std::move(edited.mesh));
+  std::optional<std::string> lost_clusters;
+  if (next.clusters) {
+    auto carried = carried_over(*next.clusters, next.mesh, edited.map.faces);
+    if (!carried) lost_clusters = "the clusters (" + carried.error().what + ")";
+    next.clusters = carried ? std::move(*carried) : nullptr;
+  }
+  RemappedDesign design =
+      remapped(std::move(next.design), edited.map, *mesh(), *next.mesh, {clusters(), next.clusters});
+  if (lost_clusters) design.dropped.push_back(*std::move(lost_clusters));
   next.design = std::move(design.design);
   ElementIds ids = numbering_.edited(*next.ids, edited.map);
   if (ids != *next.ids) next.ids = std::make_shared<const ElementIds>(std::move(ids));
-  next.mesh = std::make_shared<const PolygonMesh>(std::move(edited.mesh));
   next.what = std::move(what);
   next.merge_key = std::move(merge_key);
   step(std::move(next));
@@ -141,6 +150,26 @@ void Document::change_contract(WorkshopContract changed, std::string what, std::
   next.what = std::move(what);
   next.merge_key = std::move(merge_key);
   step(std::move(next));
+}
+
+std::vector<std::string> Document::change_clusters(SharedClusters changed, std::string what,
+                                                   std::string merge_key) {
+  assert(changed && changed->mesh == mesh());
+  if (changed == clusters()) return {};
+  Moment next = history_.present();
+  RemappedDesign design = with_clusters_changed(std::move(next.design), *mesh(), {clusters(), changed});
+  next.design = std::move(design.design);
+  next.clusters = std::move(changed);
+  next.what = std::move(what);
+  next.merge_key = std::move(merge_key);
+  step(std::move(next));
+  return std::move(design.dropped);
+}
+
+void Document::set_clusters(SharedClusters clusters) {
+  assert(clusters && clusters->mesh == mesh());
+  history_.set_clusters(std::move(clusters));
+  ++revision_;
 }
 
 void Document::set_results(std::shared_ptr<const ShownResults> results) {

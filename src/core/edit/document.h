@@ -1,5 +1,5 @@
-// Document: one design as the designer edits it: mesh, layers with their settings, selections, what the
-// workshop asks for, name, and what can be undone.
+// Document: one design as the designer edits it: mesh, layers with their settings, clusters of the mesh,
+// selections, what the workshop asks for, name, and what can be undone.
 //
 // Every change goes through a member here and is a step of the history. Consecutive changes of the same
 // setting (a slider being dragged) are one step: `merge_key` says which belong together, and `end_merge()`
@@ -75,9 +75,9 @@ class Document {
 
   // Why an edit of the present mesh is refused, as an error for the designer. Cheap.
   Result<void> may_edit(const MeshEdit& edit) const;
-  // Edits the mesh. Selections, pins and waivers go on to name what they named; returns what of them went
-  // with elements that are gone, each a line for the designer, mostly nothing. Refused, with nothing changed,
-  // for the reasons of may_edit().
+  // Edits the mesh. Selections, pins and waivers go on to name what they named, and clusters are carried
+  // over; returns what of them went with elements that are gone, each a line for the designer, mostly
+  // nothing. Refused, with nothing changed, for the reasons of may_edit().
   Result<std::vector<std::string>> edit_mesh(const MeshEdit& edit, std::string merge_key = {});
   // Several as one step, `what`; each names elements of the mesh that those before have made. Refused, with
   // nothing changed, if one is; the error names it. No edits, no step.
@@ -91,6 +91,16 @@ class Document {
   // Changes unit, tolerances and the like; the same rules.
   void change_contract(WorkshopContract changed, std::string what, std::string merge_key = {});
   void end_merge() { history_.end_merge(); }
+
+  // The regions that panels of clusters are made of; shared by all layers. Null: not known.
+  const SharedClusters& clusters() const { return history_.present().clusters; }
+  // As a step, by the rules of change_settings(). What names panels by their region goes on to name those
+  // that are still there; returns what went with the others, each a line for the designer. Precondition:
+  // clusters of the present mesh.
+  std::vector<std::string> change_clusters(SharedClusters clusters, std::string what,
+                                           std::string merge_key = {});
+  // Those that the newest step needs: part of that step. The same precondition.
+  void set_clusters(SharedClusters clusters);
 
   // What is shown now. A step begins with what was shown before it; null until the first are set.
   const std::shared_ptr<const ShownResults>& results() const { return history_.present().results; }

@@ -23,8 +23,8 @@ void History::step(Moment next) {
     return;
   }
   const Moment& before = moments_[done_ - 1];
-  if (next.design == before.design && next.mesh == before.mesh &&
-      next.contract == before.contract) {  // dragged back to where it began
+  if (next.design == before.design && next.mesh == before.mesh && next.clusters == before.clusters &&
+      next.contract == before.contract) {  // dragged back
     moments_.pop_back();
     --done_;
     merging_ = false;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/design/clustered_mesh.h"
 #include "core/design/layer_settings.h"
 #include "core/edit/element_names.h"
 #include "core/mesh/polygon_mesh.h"
@@ -28,6 +29,7 @@ struct Moment {
   std::shared_ptr<const ElementIds> ids;  // of the mesh's elements
   Design design;
   WorkshopContract contract;
+  SharedClusters clusters;                      // of the mesh; null: none are known
   std::shared_ptr<const ShownResults> results;  // may be null
 };
 
@@ -47,6 +49,8 @@ class History {
   void step(Moment next);
   void end_merge() { merging_ = false; }
   bool merging() const { return merging_; }
+  // The clusters of the present moment from now on; no step.
+  void set_clusters(SharedClusters clusters) { moments_[done_].clusters = std::move(clusters); }
   // Shown at the present moment from now on; no step.
   void set_results(std::shared_ptr<const ShownResults> results) {
     moments_[done_].results = std::move(results);

@@ -2,6 +2,7 @@
 // The window takes its marks' colours from here too. Display RGB in 0..1. No OpenGL.
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 
 #include "ui/render/renderer.h"
@@ -18,6 +19,7 @@ struct Palette {
   glm::vec3 other_card, back_card, beam, beam_edge;   // layers that are not worked on, and what joins layers
   glm::vec3 second_card, second_edge, crossing_card;  // a second surface, and panels that cross it
   glm::vec3 ghost;
+  std::array<glm::vec3, kRegionColours> regions;  // of a clustered mesh, in full light; each beside each
   glm::vec3 warning, error, selected, outline;
   glm::vec3 text, faint_text;
 };

@@ -38,6 +38,13 @@ struct LineArrays {
 // ends: two per line.
 LineArrays make_line_arrays(const std::vector<Vector3d>& ends);
 
+// A mesh whose faces have one of a few colours: Palette::regions.
+inline constexpr int kRegionColours = 8;
+struct RegionArrays {
+  PanelArrays faces;  // with lines between regions alone
+  Vector colours;     // #polygons of 0..kRegionColours-1
+};
+
 struct GhostArrays {
   PanelArrays faces;
   LineArrays lines;        // every edge once

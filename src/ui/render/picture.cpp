@@ -116,7 +116,8 @@ Result<Image> draw_image(Renderer& renderer, const std::optional<ColourScale>& c
   const float scale = pixel_scale_of(options);
   glBindFramebuffer(GL_FRAMEBUFFER, canvas.get());
   glEnable(GL_MULTISAMPLE);
-  renderer.draw(camera, {0, 0, options.width, options.height, scale, true}, options.theme, options.ghost);
+  renderer.draw(camera, {0, 0, options.width, options.height, scale, true}, options.theme, options.ghost,
+                options.what);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, resolved.get());
   glBlitFramebuffer(0, 0, options.width, options.height, 0, 0, options.width, options.height,
                     GL_COLOR_BUFFER_BIT, GL_NEAREST);

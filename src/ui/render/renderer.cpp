@@ -21,9 +21,14 @@ constexpr float kSegmentLine[] = {2.4f, 2.8f, 4.4f, 4.4f, 4.0f};  // by Segment:
 constexpr float kMarkerRadius[] = {2.9f, 3.3f, 4.6f, 3.4f};       // by Marker::Kind, pixels
 constexpr float kLeastRadius[] = {1.1f, 1.3f, 4.6f, 2.6f};        // where panels are small on the screen
 constexpr float kSelectedTint = 0.30f;
-constexpr float kGhostLift = 0.35f;   // of an edge, by which the input's lines are drawn nearer
-constexpr float kMarkerPart = 0.13f;  // of an edge that a mark's radius may take
-constexpr float kThrough = 0.22f;     // strength of marks behind geometry
+constexpr float kHoveredTint = 0.20f;
+constexpr float kRegionLine = 1.9f;        // pixels
+constexpr float kRegionOutline = 3.2f;     // round what is selected
+constexpr float kMeshOverRegions = 0.16f;  // strength of the mesh's own edges
+constexpr float kGlass = 0.42f;            // opacity of panels over regions
+constexpr float kGhostLift = 0.35f;        // of an edge, by which the input's lines are drawn nearer
+constexpr float kMarkerPart = 0.13f;       // of an edge that a mark's radius may take
+constexpr float kThrough = 0.22f;          // strength of marks behind geometry
 
 // What the shaders need to know of the camera and the rectangle that is drawn.
 struct Frame {
@@ -170,6 +175,27 @@ ToneColours colours_of(Tone tone, const Palette& palette) {
   return {palette.back_card, palette.edge};
 }
 
+void set_scale(const ShaderProgram& p, const MapScale& scale) {
+  p.set("low", scale.low);
+  p.set("tolerance", scale.tolerance);
+  p.set("per_unit_below", scale.per_unit_below);
+  p.set("per_unit_above", scale.per_unit_above);
+  p.set("below_end", scale.below_end);
+  p.set("above_start", scale.above_start);
+}
+
+// Each of the colours as long a stretch of the table as the others.
+ColourTable region_table(const Palette& palette) {
+  ColourTable table{};
+  for (std::size_t i = 0; i < table.size() / 4; ++i) {
+    const glm::vec3& colour = palette.regions[i * kRegionColours / (table.size() / 4)];
+    for (int k = 0; k < 3; ++k)
+      table[4 * i + static_cast<std::size_t>(k)] = static_cast<std::uint8_t>(std::lround(255.0f * colour[k]));
+    table[4 * i + 3] = 255;
+  }
+  return table;
+}
+
 // The time of the latest change among the files of a folder.
 std::filesystem::file_time_type latest_change(const std::filesystem::path& folder) {
   auto latest = std::filesystem::file_time_type::min();
@@ -190,6 +216,7 @@ struct Renderer::Impl {
   Programs programs;
   GlVertexArray no_attributes;  // for what the shaders make from the vertex's number
   GlTexture maps[2];            // by ColourScale::Map
+  GlTexture region_maps[2];     // of the light and the dark palette
 
   PanelBuffer panels, ghost;
   std::vector<PanelBuffer> selected;
@@ -198,6 +225,9 @@ struct Renderer::Impl {
     PanelBuffer buffer;
   };
   std::vector<SurfaceBuffer> surfaces;
+  std::shared_ptr<const RegionArrays> region_arrays;  // what `regions` was made from
+  PanelBuffer regions, regions_selected, regions_hovered;
+  LineBuffer region_outline;
   std::shared_ptr<const GhostArrays> ghost_arrays;  // what `ghost` was made from
   LineBuffer ghost_lines;
   std::optional<GroundShadow> panel_shadow,
@@ -212,6 +242,10 @@ struct Renderer::Impl {
   void draw_shadow(const Frame& frame, const Palette& palette) const;
   void draw_ghost_faces(const Frame& frame, const Palette& palette) const;
   void draw_panels(const Frame& frame, const Palette& palette) const;
+  void begin_panels(const Frame& frame, const Palette& palette) const;
+  void draw_regions(const Frame& frame, const Theme& theme, bool with_mesh) const;
+  void draw_glass(const Frame& frame, const Palette& palette) const;
+  void draw_film(const Frame& frame, const PanelBuffer& film, const glm::vec4& tint) const;
   void draw_selected(const Frame& frame, const Palette& palette) const;
   void draw_ghost_lines(const Frame& frame, const Palette& palette) const;
   void draw_segments(const Frame& frame, const Palette& palette) const;
@@ -270,7 +304,7 @@ void Renderer::Impl::draw_ghost_faces(const Frame& frame, const Palette& palette
   glDepthMask(GL_TRUE);
 }
 
-void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) const {
+void Renderer::Impl::begin_panels(const Frame& frame, const Palette& palette) const {
   glEnable(GL_DEPTH_TEST);
   const ShaderProgram& p = programs.panel;
   p.use();
@@ -283,17 +317,16 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
   p.set("edge", palette.edge);
   p.set("line_width", kPanelLine * frame.pixel_scale);
   p.set("fine", frame.fine ? 1 : 0);
-  p.set("coloured", colours ? 1 : 0);
+  p.set("shade", 0.45f);
+  p.set("opacity", 1.0f);
   p.set("map", 0);
-  if (colours) {
-    const MapScale scale = map_scale(*colours);
-    p.set("low", scale.low);
-    p.set("tolerance", scale.tolerance);
-    p.set("per_unit_below", scale.per_unit_below);
-    p.set("per_unit_above", scale.per_unit_above);
-    p.set("below_end", scale.below_end);
-    p.set("above_start", scale.above_start);
-  }
+}
+
+void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) const {
+  begin_panels(frame, palette);
+  const ShaderProgram& p = programs.panel;
+  p.set("coloured", colours ? 1 : 0);
+  if (colours) set_scale(p, map_scale(*colours));
   glBindTexture(GL_TEXTURE_2D, maps[colours ? static_cast<int>(colours->map) : 0].get());
   begin_lying_back();
   panels.draw();
@@ -308,19 +341,87 @@ void Renderer::Impl::draw_panels(const Frame& frame, const Palette& palette) con
   glBindTexture(GL_TEXTURE_2D, 0);
 }
 
-// A film over panels that are drawn already; nearer by what they lie back.
-void Renderer::Impl::draw_selected(const Frame& frame, const Palette& palette) const {
-  if (selected.empty()) return;
+// The whole mesh in its regions' colours. Not fine: the corners of its triangles are no corners of regions.
+void Renderer::Impl::draw_regions(const Frame& frame, const Theme& theme, bool with_mesh) const {
+  const Palette& palette = palette_of(theme);
+  begin_panels(frame, palette);
+  const ShaderProgram& p = programs.panel;
+  ColourScale entries;
+  entries.high = kRegionColours;
+  set_scale(p, map_scale(entries));
+  p.set("coloured", 1);
+  p.set("fine", 0);
+  p.set("shade", 0.85f);
+  p.set("line_width", kRegionLine * frame.pixel_scale);
+  glBindTexture(GL_TEXTURE_2D, region_maps[theme.dark ? 1 : 0].get());
+  begin_lying_back();
+  regions.draw();
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  draw_film(frame, regions_selected, glm::vec4(palette.selected, kSelectedTint));
+  draw_film(frame, regions_hovered, glm::vec4(palette.selected, kHoveredTint));
+  const ShaderProgram& line = programs.line;
+  if (with_mesh && !ghost_lines.empty()) {
+    begin_lines(frame);
+    line.set("line_width", kGhostLine * frame.pixel_scale);
+    line.set("fade_below", 24.0f * frame.pixel_scale);
+    line.set("lift_pixels", 0.5f * frame.pixel_scale);
+    line.set("tint", glm::vec4(palette.edge, kMeshOverRegions));
+    ghost_lines.draw();
+  }
+  if (!region_outline.empty()) {
+    begin_lines(frame);
+    line.set("lift_pixels", 2.0f * frame.pixel_scale);
+    line.set("line_width", (kRegionOutline + 2.0f) * frame.pixel_scale);
+    line.set("tint", glm::vec4(palette.outline, 0.75f));
+    region_outline.draw();
+    line.set("line_width", kRegionOutline * frame.pixel_scale);
+    line.set("tint", glm::vec4(palette.selected, 1.0f));
+    region_outline.draw();
+  }
+}
+
+// The panels over all that is drawn; of panels behind each other the nearest alone.
+void Renderer::Impl::draw_glass(const Frame& frame, const Palette& palette) const {
+  if (panels.empty()) return;
+  glDepthMask(GL_TRUE);
+  glDisable(GL_BLEND);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  begin_panels(frame, palette);
+  const ShaderProgram& p = programs.panel;
+  p.set("coloured", 0);
+  p.set("opacity", kGlass);
+  glBindTexture(GL_TEXTURE_2D, maps[0].get());
+  begin_lying_back();
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  panels.draw();
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
+  glEnable(GL_BLEND);
+  panels.draw();
+  glDisable(GL_BLEND);
+  glDepthFunc(GL_LESS);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+  glBindTexture(GL_TEXTURE_2D, 0);
+}
+
+// A film over faces that are drawn already; nearer by what they lie back.
+void Renderer::Impl::draw_film(const Frame& frame, const PanelBuffer& film, const glm::vec4& tint) const {
+  if (film.empty()) return;
   programs.ghost.use();
   programs.ghost.set("view_projection", frame.view_projection);
   programs.ghost.set("eye", frame.eye);
-  programs.ghost.set("tint", glm::vec4(palette.selected, kSelectedTint));
+  programs.ghost.set("tint", tint);
   glEnable(GL_DEPTH_TEST);
   glDepthMask(GL_FALSE);
   glEnable(GL_BLEND);
-  for (const PanelBuffer& film : selected) film.draw();
+  film.draw();
   glDisable(GL_BLEND);
   glDepthMask(GL_TRUE);
+}
+
+void Renderer::Impl::draw_selected(const Frame& frame, const Palette& palette) const {
+  for (const PanelBuffer& film : selected) draw_film(frame, film, glm::vec4(palette.selected, kSelectedTint));
 }
 
 void Renderer::Impl::begin_lines(const Frame& frame) const {
@@ -424,6 +525,11 @@ Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder) {
     impl->maps[i] =
         make_texture(GL_RGBA8, GL_RGBA, static_cast<int>(tables[i].size() / 4), 1, tables[i].data());
   }
+  for (const bool dark : {false, true}) {
+    const ColourTable table = region_table(palette_of({dark}));
+    impl->region_maps[dark ? 1 : 0] =
+        make_texture(GL_RGBA8, GL_RGBA, static_cast<int>(table.size() / 4), 1, table.data());
+  }
   if (const std::string errors = take_gl_errors(); !errors.empty()) {
     return fail(ErrorCode::Unavailable, "OpenGL cannot be set up: " + errors, {},
                 "update the graphics driver");
@@ -494,6 +600,21 @@ void Renderer::set_ghost(std::shared_ptr<const GhostArrays> ghost) {
   impl_->update_shadow();
 }
 
+void Renderer::set_regions(std::shared_ptr<const RegionArrays> regions) {
+  if (regions == impl_->region_arrays) return;
+  impl_->region_arrays.reset();  // should an upload fail
+  impl_->regions.set(regions ? regions->faces : PanelArrays());
+  if (regions) impl_->regions.set_values(regions->colours.array() + 0.5, {});  // the middle of a stretch
+  impl_->region_arrays = std::move(regions);
+}
+
+void Renderer::set_region_marks(const PanelArrays& selected, const std::vector<Vector3d>& outline,
+                                const PanelArrays& hovered) {
+  impl_->regions_selected.set(selected);
+  impl_->regions_hovered.set(hovered);
+  impl_->region_outline = LineBuffer(make_line_arrays(outline));
+}
+
 void Renderer::set_surfaces(const std::vector<Surface>& surfaces) {
   auto& buffers = impl_->surfaces;
   buffers.resize(surfaces.size());
@@ -527,7 +648,8 @@ void Renderer::set_colours(const std::optional<ColourScale>& colours) {
   impl_->colours = colours;
 }
 
-void Renderer::draw(const Camera& camera, const Viewport& viewport, const Theme& theme, bool show_ghost) {
+void Renderer::draw(const Camera& camera, const Viewport& viewport, const Theme& theme, bool show_ghost,
+                    What what) {
 #ifndef NDEBUG
   if (const std::string before = take_gl_errors(); !before.empty()) {
     std::fprintf(stderr, "OpenGL had errors before the scene was drawn: %s\n", before.c_str());
@@ -555,12 +677,17 @@ void Renderer::draw(const Camera& camera, const Viewport& viewport, const Theme&
 
   impl_->draw_backdrop(palette);
   impl_->draw_shadow(frame, palette);
-  if (show_ghost) impl_->draw_ghost_faces(frame, palette);
-  impl_->draw_panels(frame, palette);
-  impl_->draw_selected(frame, palette);
-  if (show_ghost) impl_->draw_ghost_lines(frame, palette);
-  impl_->draw_segments(frame, palette);
-  impl_->draw_markers(frame, palette);
+  if (what != What::Panels) {
+    impl_->draw_regions(frame, theme, show_ghost);
+    if (what == What::Over) impl_->draw_glass(frame, palette);
+  } else {
+    if (show_ghost) impl_->draw_ghost_faces(frame, palette);
+    impl_->draw_panels(frame, palette);
+    impl_->draw_selected(frame, palette);
+    if (show_ghost) impl_->draw_ghost_lines(frame, palette);
+    impl_->draw_segments(frame, palette);
+    impl_->draw_markers(frame, palette);
+  }
 
   glDepthMask(GL_TRUE);
   glDisable(GL_DEPTH_TEST);

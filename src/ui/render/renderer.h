@@ -57,6 +57,12 @@ class Renderer {
   void set_ghost(std::shared_ptr<const GhostArrays> ghost);
   // Further surfaces, in plain card. One that is the same object as before in its place costs nothing.
   void set_surfaces(const std::vector<Surface>& surfaces);
+  // The input with its regions in colours, drawn instead of all else by What::Regions and Over. Null: none.
+  // Handing over the same object again costs nothing.
+  void set_regions(std::shared_ptr<const RegionArrays> regions);
+  // Over it: a film, and lines (two ends each) round what is selected, and a fainter film.
+  void set_region_marks(const PanelArrays& selected, const std::vector<Vector3d>& outline,
+                        const PanelArrays& hovered);
   // What is to be tinted as selected: triangles_of() the panels shown, and of their other side.
   void set_selected(const std::vector<PanelArrays>& selected);
   void set_markers(const std::vector<Marker>& markers, const std::vector<Segment>& segments);
@@ -64,7 +70,10 @@ class Renderer {
 
   // Clears and draws the viewport's rectangle of the bound framebuffer, which needs a depth buffer. Leaves
   // depth test, blending, culling and scissor off, and no program, vertex array or texture (unit 0) bound.
-  void draw(const Camera& camera, const Viewport& viewport, const Theme& theme, bool show_ghost = true);
+  // Over: the regions, and the panels over them as if they were of frosted glass.
+  enum class What { Panels, Regions, Over };
+  void draw(const Camera& camera, const Viewport& viewport, const Theme& theme, bool show_ghost = true,
+            What what = What::Panels);
 
   // With a shader folder: looks for changed files and takes them over; keeps the old shaders and returns why
   // when they do not compile. Cheap enough to be asked once a second. Without a folder: does nothing.
@@ -85,8 +94,9 @@ struct PictureOptions {
   int width = 1600, height = 1000;
   Theme theme;
   bool ghost = true;
-  bool legend = true;                 // drawn into the picture when the scene has colours
-  std::string title = {};             // top left; empty: none. UTF-8
+  Renderer::What what = Renderer::What::Panels;  // a scene has no regions: for set_regions()
+  bool legend = true;                            // drawn into the picture when the scene has colours
+  std::string title = {};                        // top left; empty: none. UTF-8
   std::optional<Camera> camera = {};  // its direction and place; empty: the standard view of the whole scene
 };
 Result<void> render_picture(const Scene& scene, const PictureOptions& options,

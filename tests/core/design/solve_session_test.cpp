@@ -472,5 +472,30 @@ TEST_F(SolveSessionTest, SurvivesRapidRestarts) {
   EXPECT_FALSE(session_.running());
 }
 
+TEST(SolveSession, SolvesPanelsOfClustersAndOfOtherClustersOfTheSameMesh) {
+  SolveSession session;
+  SolveRequest request;
+  request.mesh = shared_sample("torus", 400);
+  request.settings.mode = ComplexKind::Cluster;
+  const auto outcome_of = [&] {
+    session.start(request);
+    for (;;) {
+      if (auto outcome = session.take_outcome()) return std::move(*outcome);
+      std::this_thread::yield();
+    }
+  };
+  const SolveOutcome refused = outcome_of();
+  ASSERT_FALSE(refused.report);
+  EXPECT_NE(refused.report.error().what.find("clustering"), std::string::npos);
+  for (const int panels : {40, 60}) {
+    ClusterOptions options;
+    options.panels = panels;
+    request.clusters = cluster_mesh(request.mesh, options).value();
+    const SolveOutcome outcome = outcome_of();
+    ASSERT_TRUE(outcome.report) << outcome.report.error().text();
+    EXPECT_EQ(outcome.complex->plane_count(), request.clusters->regions.count());
+  }
+}
+
 }  // namespace
 }  // namespace planewright

@@ -377,5 +377,68 @@ TEST(Document, EveryChangeRaisesTheRevision) {
   EXPECT_TRUE(raised());
 }
 
+SharedClusters clusters_of(const Document& document, int panels) {
+  ClusterOptions options;
+  options.panels = panels;
+  return cluster_mesh(document.mesh(), options).value();
+}
+
+TEST(Document, ClustersAreStepsAndFollowEditsOfTheMesh) {
+  Document document;
+  document.open(torus(), "torus.off", {});
+  EXPECT_EQ(document.clusters(), nullptr);
+  const SharedClusters first = clusters_of(document, 20), second = clusters_of(document, 24);
+  const auto revision = document.revision();
+  document.set_clusters(first);  // what the design as it is needs: no step
+  EXPECT_FALSE(document.can_undo());
+  EXPECT_GT(document.revision(), revision);
+  document.change_clusters(second, "24 panels", "clusters");
+  document.change_clusters(clusters_of(document, 26), "26 panels", "clusters");
+  document.end_merge();
+  EXPECT_EQ(document.history(), std::vector<std::string>{"24 panels"});
+  document.undo();
+  EXPECT_EQ(document.clusters(), first);
+  document.redo();
+  EXPECT_EQ(document.clusters()->options.panels, 26);
+
+  ASSERT_TRUE(document.edit_mesh(MeshEdit::split_edge(0)));
+  ASSERT_NE(document.clusters(), nullptr);
+  EXPECT_EQ(document.clusters()->mesh, document.mesh());
+  EXPECT_EQ(document.clusters()->options.panels, 26);
+  document.undo();
+  document.undo();
+  EXPECT_EQ(document.clusters(), first);
+}
+
+TEST(Document, PinnedPanelsKeepTheirRegionThroughOtherClusters) {
+  Document document;
+  LayerSettings settings;
+  settings.mode = ComplexKind::Cluster;
+  document.open(torus(), "torus.off", settings);
+  const SharedClusters first = clusters_of(document, 20);
+  document.set_clusters(first);
+  const int last = document.clusters()->regions.count() - 1;
+  settings.demands.plane_pins = {{last, std::nullopt}};
+  settings.demands.pins = {{{PointKind::Vertex, document.clusters()->regions.corner_vertex[0]}, {0.0}}};
+  document.change_settings(settings, "Pin");
+  // Some pair of regions can be merged that leaves the pinned one alone.
+  SharedClusters merged;
+  for (int b = 1; b < last && !merged; ++b) {
+    if (const auto made = with_regions_merged(*document.clusters(), 0, b)) merged = *made;
+  }
+  ASSERT_NE(merged, nullptr);
+  const auto dropped = document.change_clusters(merged, "Merge");
+  ASSERT_EQ(document.settings().demands.plane_pins.size(), 1u) << (dropped.empty() ? "" : dropped[0]);
+  const IndexMap map = same_regions(first->regions.region_of_face, first->regions.count(),
+                                    merged->regions.region_of_face, merged->regions.count());
+  EXPECT_EQ(document.settings().demands.plane_pins[0].panel_origin,
+            map.to_new[static_cast<std::size_t>(last)]);
+  // Few regions keep neither.
+  const auto lost = document.change_clusters(clusters_of(document, 10), "10 panels");
+  EXPECT_EQ(
+      document.settings().demands.plane_pins.size() + document.settings().demands.pins.size() + lost.size(),
+      2u);
+}
+
 }  // namespace
 }  // namespace planewright

@@ -490,6 +490,65 @@ TEST_F(RendererTest, SelectedPanelsAreTintedAndTheOthersAreNot) {
   EXPECT_LT(distance(after, palette.selected), distance(before, palette.selected));
 }
 
+TEST_F(RendererTest, RegionsHaveTheirColoursAndPanelsLieOverThemAsGlass) {
+  const auto context = EglContext::create();
+  ASSERT_TRUE(context);
+  auto renderer = Renderer::create();
+  ASSERT_TRUE(renderer);
+  const PolygonLayer squares = two_squares();
+  Scene scene;
+  scene.panels = squares;
+  PictureOptions options = from_above(scene);
+  const auto regions = std::make_shared<RegionArrays>();
+  regions->faces = make_panel_arrays(squares.points, squares.polygons);
+  regions->colours = Vector{{2.0, 5.0}};
+  renderer->set_regions(regions);
+  const auto draw = [&](Renderer::What what) {
+    options.what = what;
+    auto image = draw_image(*renderer, {}, options);
+    EXPECT_TRUE(image);
+    return image ? std::move(*image) : Image{};
+  };
+  // Lit from above, each is nearer to its own entry of the palette than to any other.
+  for (const bool dark : {false, true}) {
+    options.theme.dark = dark;
+    const Palette& palette = palette_of(options.theme);
+    const Image image = draw(Renderer::What::Regions);
+    for (const auto& [place, own] :
+         {std::pair(Vector3d(0.5, 0.4, 0), 2), std::pair(Vector3d(1.5, 0.4, 0), 5)}) {
+      const glm::vec3 seen = at(image, options, place);
+      for (int other = 0; other < kRegionColours; ++other) {
+        if (other == own) continue;
+        EXPECT_LT(distance(glm::normalize(seen), glm::normalize(palette.regions[own])),
+                  distance(glm::normalize(seen), glm::normalize(palette.regions[other])))
+            << own << " and " << other;
+      }
+    }
+  }
+  options.theme.dark = false;
+  const glm::vec3 bare = at(draw(Renderer::What::Over), options, {0.5, 0.4, 0});
+  EXPECT_LT(distance(bare, at(draw(Renderer::What::Regions), options, {0.5, 0.4, 0})), 0.005f)
+      << "no panels yet";
+
+  // Panels beneath the regions, too: as glass they are over everything.
+  PolygonLayer lower = squares;
+  lower.points.col(2).array() -= 0.01;
+  renderer->set_panels(make_panel_arrays(lower.points, lower.polygons), {}, {});
+  const glm::vec3 over = at(draw(Renderer::What::Over), options, {0.5, 0.4, 0});
+  const glm::vec3 card = at(draw(Renderer::What::Panels), options, {0.5, 0.4, 0});
+  EXPECT_GT(distance(over, bare), 0.02f);
+  EXPECT_GT(distance(over, card), 0.02f);
+  EXPECT_NEAR(distance(over, bare) + distance(over, card), distance(bare, card), 0.02f) << "between the two";
+
+  // What is selected is tinted, the rest is not.
+  renderer->set_region_marks(triangles_of(regions->faces, {1}), {}, {});
+  const Image marked = draw(Renderer::What::Regions);
+  EXPECT_LT(distance(at(marked, options, {0.5, 0.4, 0}), bare), 0.005f);
+  const Palette& palette = palette_of({});
+  EXPECT_LT(distance(at(marked, options, {1.5, 0.4, 0}), palette.selected),
+            distance(palette.regions[5], palette.selected));
+}
+
 TEST_F(RendererTest, FurtherLayersHaveTonesOfTheirOwnAndHideWhatIsBehind) {
   Scene scene;
   scene.panels = two_squares();
