@@ -147,32 +147,15 @@ Result<Painted> with_faces_painted(const ClusteredMesh& of, std::span<const int>
   if (from < 0 || from >= of.graph->face_count())
     return fail(ErrorCode::Refused, "there is no such face", "face " + std::to_string(from),
                 "Choose one that there is");
-  const int region = clustering->region_of_face[from];
-  Painted result;
-  std::vector<int> left(faces.begin(), faces.end());
-  bool changed = false;
-  for (bool goes_on = true; goes_on;) {  // what is not beside the region yet may be so later
-    goes_on = false;
-    result.refused.clear();
-    result.why.reset();
-    for (const int f : left) {
-      if (f >= 0 && f < of.graph->face_count() && clustering->region_of_face[f] == region) continue;
-      auto painted = paint_face(*of.graph, *clustering, f, region, of.options.metric);
-      if (painted) {
-        *clustering = std::move(*painted);
-        changed = goes_on = true;
-      } else {
-        result.refused.push_back(f);
-        result.why = painted.error();
-      }
-    }
-    left = result.refused;
-  }
-  if (!changed) {
+  auto painted =
+      paint_faces(*of.graph, *clustering, faces, clustering->region_of_face[from], of.options.metric);
+  if (!painted) return tl::unexpected(painted.error());
+  Painted result{nullptr, std::move(painted->refused), std::move(painted->why)};
+  if (!painted->changed) {
     result.clusters = std::make_shared<const ClusteredMesh>(of);
     return result;
   }
-  auto clusters = changed_by_hand(of, std::move(*clustering));
+  auto clusters = changed_by_hand(of, std::move(painted->clustering));
   if (!clusters) return tl::unexpected(clusters.error());
   result.clusters = std::move(*clusters);
   return result;
