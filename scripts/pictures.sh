@@ -169,6 +169,7 @@ click Hint/close
 sample dome 3000
 wait_loaded 20
 wait_solved 120
+zoom 1
 key 3
 wait_frames 4
 wait_solved 120
@@ -179,8 +180,8 @@ key Enter
 wait_frames 4
 wait_solved 120
 click "Findings/tab Report"
-key J
-hover_region any
+click_region any
+hover_model 0.04 0.9
 wait_frames 12
 screenshot PICTURE
 SCRIPT
