@@ -11,20 +11,38 @@ std::optional<TwoSidedDistance> if_measured(const Result<TwoSidedDistance>& dist
   return distance ? std::optional(*distance) : std::nullopt;
 }
 
+Result<std::shared_ptr<const ClusteredMesh>> with_regions(const FaceGraph& graph, ClusteredMesh clustered) {
+  RegionOptions options;
+  options.metric = clustered.options.metric;
+  auto regions = make_regions(graph, clustered.clustering, options);
+  if (!regions) return tl::unexpected(regions.error());
+  clustered.regions = std::move(*regions);
+  return std::make_shared<const ClusteredMesh>(std::move(clustered));
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const ClusteredMesh>> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh,
-                                                          const ClusterOptions& options) {
+                                                          const ClusterOptions& options,
+                                                          ClusterObserver* observer, std::stop_token stop) {
   const auto graph = FaceGraph::create(*mesh);
   if (!graph) return tl::unexpected(graph.error());
-  auto clustering = cluster(*graph, options);
+  auto clustering = cluster(*graph, options, observer, std::move(stop));
   if (!clustering) return tl::unexpected(clustering.error());
-  RegionOptions of_regions;
-  of_regions.metric = options.metric;
-  auto regions = make_regions(*graph, *clustering, of_regions);
-  if (!regions) return tl::unexpected(regions.error());
-  return std::make_shared<const ClusteredMesh>(
-      ClusteredMesh{std::move(mesh), options, std::move(*clustering), std::move(*regions)});
+  return with_regions(*graph, {std::move(mesh), options, false, std::move(*clustering), {}});
+}
+
+Result<std::shared_ptr<const ClusteredMesh>> mesh_of_regions(std::shared_ptr<const PolygonMesh> mesh,
+                                                             std::vector<int> region_of_face,
+                                                             const ClusterMetric& metric) {
+  const auto graph = FaceGraph::create(*mesh);
+  if (!graph) return tl::unexpected(graph.error());
+  auto clustering = clustering_of(*graph, std::move(region_of_face), metric);
+  if (!clustering) return tl::unexpected(clustering.error());
+  ClusterOptions options;
+  options.panels = clustering->regions();
+  options.metric = metric;
+  return with_regions(*graph, {std::move(mesh), options, true, std::move(*clustering), {}});
 }
 
 ClusterReport measure_clusters(const ClusteredMesh& clustered, const Panels& panels) {
@@ -32,10 +50,12 @@ ClusterReport measure_clusters(const ClusteredMesh& clustered, const Panels& pan
   const PolygonMesh& mesh = *clustered.mesh;
   ClusterReport report;
   report.options = clustered.options;
+  report.given = clustered.given;
   report.clusters = clustered.clustering.regions();
   report.iterations = clustered.clustering.iterations;
   report.teleports = clustered.clustering.teleports;
   report.target_met = clustered.clustering.target_met;
+  report.stopped = clustered.clustering.stopped;
   report.l21 = regions.normal_error * regions.normal_error;
   report.error = regions.error;
   report.distance = regions.distance_error;

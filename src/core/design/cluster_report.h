@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/cluster/clustering.h"
@@ -22,18 +23,29 @@ namespace planewright {
 struct ClusteredMesh {
   std::shared_ptr<const PolygonMesh> mesh;
   ClusterOptions options;
+  bool given = false;  // regions that were given, not found: of the options only the metric counts
   Clustering clustering;
   Regions regions;
 };
-// Clusters the mesh and makes regions of it. Fails as FaceGraph::create(), cluster() and make_regions() do.
+// Clusters the mesh and makes regions of it, also of a clustering that was stopped. Fails as
+// FaceGraph::create(), cluster() and make_regions() do.
 Result<std::shared_ptr<const ClusteredMesh>> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh,
-                                                          const ClusterOptions& options);
+                                                          const ClusterOptions& options,
+                                                          ClusterObserver* observer = nullptr,
+                                                          std::stop_token stop = {});
+
+// The same with regions that are given, the region of each face. Fails also as clustering_of() does.
+Result<std::shared_ptr<const ClusteredMesh>> mesh_of_regions(std::shared_ptr<const PolygonMesh> mesh,
+                                                             std::vector<int> region_of_face,
+                                                             const ClusterMetric& metric);
 
 struct ClusterReport {
   ClusterOptions options;
-  int clusters = 0;  // before the repairs
+  bool given = false;  // as of ClusteredMesh
+  int clusters = 0;    // before the repairs
   int iterations = 0, teleports = 0;
   bool target_met = true;
+  bool stopped = false;  // the clustering, before it was done
   // Of the regions after the repairs. l21: the integral of |n_T - n|^2 over the mesh, as a share of its area;
   // error: by the metric; distance: rms of (x - c) . n, as a share of the square root of the area.
   double l21 = 0.0, error = 0.0, distance = 0.0;
