@@ -249,5 +249,29 @@ TEST_F(ClusterCommand, RegionsStartAtGivenFaces) {
   EXPECT_FALSE(exists("t.obj"));
 }
 
+TEST_F(ClusterCommand, BluntCornersRemoveAcuteOnesAndShortEdges) {
+  const std::string input = std::string(PLANEWRIGHT_SOURCE_DIR) + "/assets/saddle-roof.obj";
+  for (const char* solver : {"tangent", "ipopt"}) {
+    const auto made = [&](const char* preset) {
+      const Ended ended = run({"cluster", input, "-o", path("o.obj"), "--panels", "100", "--preset", preset,
+                               "--solver", solver, "--report", path("r.json")});
+      EXPECT_LE(ended.status, 1) << ended.err;
+      EXPECT_EQ(json("r.json")["status"], "converged");
+      EXPECT_LE(json("r.json")["planarity"]["max_relative_to_bbox"].get<double>(), 1e-9);
+      return json("r.json");
+    };
+    const Json sharp = made("proxy-planes"), blunt = made("blunt-corners");
+    EXPECT_GE(sharp["cluster"]["acute_panels"].size(), 8u) << solver;
+    EXPECT_LE(blunt["cluster"]["acute_panels"].size(), 2u) << solver;
+    EXPECT_FALSE(sharp["diagnosis"]["short_edges"].empty()) << solver;
+    EXPECT_TRUE(blunt["diagnosis"]["short_edges"].empty()) << solver;
+    // For a price.
+    const auto distance = [](const Json& report) {
+      return report["cluster"]["distance"]["both"]["rms"].get<double>();
+    };
+    EXPECT_LT(distance(blunt), 1.4 * distance(sharp)) << solver;
+  }
+}
+
 }  // namespace
 }  // namespace planewright

@@ -95,7 +95,7 @@ std::vector<Preset> make_presets() {
        false,
        true,
        true,
-       {{"position", 0.1}, {"proxy-normal", 1.0}, {"offset", 10.0}, {"corner-angle", 0.3}},
+       {{"position", 0.1}, {"proxy-normal", 1.0}, {"offset", 10.0}, {"corner-angle", 1.0}},
        {}},
       {"uncrossed",
        "Uncrossed quads",
