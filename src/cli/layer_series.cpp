@@ -23,13 +23,18 @@ ExitStatus worse(ExitStatus a, ExitStatus b) {
 
 }  // namespace
 
-Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& plan) {
+Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& plan,
+                         const std::vector<NamedFile>& further_inputs,
+                         const std::vector<NamedFile>& further_outputs) {
+  std::vector<NamedFile> inputs = inputs_of(options);
+  inputs.insert(inputs.end(), further_inputs.begin(), further_inputs.end());
   std::vector<NamedFile> outputs = outputs_of(plan);
   for (const NamedFile& output : outputs)
     if (!output.path.empty())
       if (const auto format = format_of(output.path); !format) return tl::unexpected(format.error());
   outputs.push_back({"--report", options.report});
-  return check_outputs(inputs_of(options), outputs);
+  outputs.insert(outputs.end(), further_outputs.begin(), further_outputs.end());
+  return check_outputs(inputs, outputs);
 }
 
 Result<ExitStatus> solve_layers(const LayerPlan& plan, const SolveCommandOptions& options,

@@ -79,7 +79,7 @@ void AppState::set_cluster_options(const ClusterOptions& options, std::string wh
   wanted.make = [options, anew, mesh = document_.mesh()](const SharedClusters& from,
                                                          const std::stop_token& stop) {
     const bool targets = options.target_normal || options.target_distance;
-    auto made = !from             ? cluster_mesh(mesh, options, stop)
+    auto made = !from             ? cluster_mesh(mesh, options, nullptr, stop)
                 : anew || targets ? planewright::cluster_anew(*from, options, stop)
                                   : recluster(*from, options, stop);
     return std::move(made).map(whole);

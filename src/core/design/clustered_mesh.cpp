@@ -17,13 +17,13 @@ Result<SharedGraph> graph_of(const PolygonMesh& mesh) {
 }
 
 Result<SharedClusters> made_ready(std::shared_ptr<const PolygonMesh> mesh, SharedGraph graph,
-                                  const ClusterOptions& options, Clustering clustering) {
+                                  const ClusterOptions& options, Clustering clustering, bool given = false) {
   RegionOptions of_regions;
   of_regions.metric = options.metric;
   auto regions = make_regions(*graph, clustering, of_regions);
   if (!regions) return tl::unexpected(regions.error());
-  return std::make_shared<const ClusteredMesh>(
-      ClusteredMesh{std::move(mesh), std::move(graph), options, std::move(clustering), std::move(*regions)});
+  return std::make_shared<const ClusteredMesh>(ClusteredMesh{
+      std::move(mesh), std::move(graph), options, given, std::move(clustering), std::move(*regions)});
 }
 
 // What a designer sees, as a clustering to change by hand.
@@ -102,12 +102,24 @@ void renumber(std::vector<int>& regions, int& count) {
 }  // namespace
 
 Result<SharedClusters> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh, const ClusterOptions& options,
-                                    std::stop_token stop) {
+                                    ClusterObserver* observer, std::stop_token stop) {
   auto graph = graph_of(*mesh);
   if (!graph) return tl::unexpected(graph.error());
-  auto clustering = cluster(**graph, options, nullptr, std::move(stop));
+  auto clustering = cluster(**graph, options, observer, std::move(stop));
   if (!clustering) return tl::unexpected(clustering.error());
   return made_ready(std::move(mesh), std::move(*graph), options, std::move(*clustering));
+}
+
+Result<SharedClusters> mesh_of_regions(std::shared_ptr<const PolygonMesh> mesh,
+                                       std::vector<int> region_of_face, const ClusterMetric& metric) {
+  auto graph = graph_of(*mesh);
+  if (!graph) return tl::unexpected(graph.error());
+  auto clustering = clustering_of(**graph, std::move(region_of_face), metric);
+  if (!clustering) return tl::unexpected(clustering.error());
+  ClusterOptions options;
+  options.panels = clustering->regions();
+  options.metric = metric;
+  return made_ready(std::move(mesh), std::move(*graph), options, std::move(*clustering), true);
 }
 
 Result<SharedClusters> cluster_anew(const ClusteredMesh& from, const ClusterOptions& options,
