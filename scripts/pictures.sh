@@ -10,7 +10,7 @@ cd "$(dirname "$0")/.."
 
 names=(window-start window-streaming window-dark window-findings window-suggestions window-clusters
   station-panels twisted-roof-panels torus-panels
-  figure-2 figure-5 figure-7 figure-8
+  figure-2 figure-5 figure-6 figure-7 figure-8
   preset-close-to-design preset-even-panels preset-smooth-shell preset-faceted-shell preset-close preset-uncrossed
   presets-figure-5)
 (($# == 0)) || for name in "$@"; do
@@ -71,6 +71,30 @@ crumpled() {
     for (y = 0; y < n; ++y) for (x = 0; x < n; ++x) {
       v = y * (n + 1) + x + 1
       print "f", v, v + 1, v + n + 2, v + n + 1
+    }
+  }'
+}
+
+# tent OUT.obj REGIONS.csv: a fine mesh of a folded tent, and two rings of 12 regions each between its ridges and
+# valleys; the upper ones all meet at the top.
+tent() {
+  awk -v obj="$1" -v csv="$2" 'BEGIN {
+    panels = 12; fine = 8; n = panels * fine; rings = 20; turn = 6.283185307179586 / n
+    print "v 0 0 5" > obj
+    for (r = 1; r <= rings; ++r) for (k = 0; k < n; ++k) {
+      t = r / rings; ridge = cos(panels / 2 * k * turn)
+      radius = 6 * t * (1 + 0.05 * t * ridge)
+      height = 5 * (1 - t) ^ 1.6 + 1.2 * t * (1 - t) + 0.45 * t * ridge
+      printf "v %.5f %.5f %.5f\n", radius * cos(k * turn), radius * sin(k * turn), height > obj
+    }
+    print "face,region" > csv
+    face = 0
+    for (r = 0; r < rings; ++r) for (k = 0; k < n; ++k) {
+      a = r ? 2 + (r - 1) * n + k : 1; b = r ? 2 + (r - 1) * n + (k + 1) % n : 1
+      c = 2 + r * n + (k + 1) % n; d = 2 + r * n + k
+      region = int(k / fine) + (r < 9 ? 0 : panels)
+      if (r) { print "f", a, d, b > obj; print face++ "," region > csv }
+      print "f", b, d, c > obj; print face++ "," region > csv
     }
   }'
 }
@@ -169,6 +193,7 @@ click Hint/close
 sample dome 3000
 wait_loaded 20
 wait_solved 120
+zoom 1
 key 3
 wait_frames 4
 wait_solved 120
@@ -179,8 +204,8 @@ key Enter
 wait_frames 4
 wait_solved 120
 click "Findings/tab Report"
-key J
-hover_region any
+click_region any
+hover_model 0.04 0.9
 wait_frames 12
 screenshot PICTURE
 SCRIPT
@@ -204,6 +229,16 @@ SCRIPT
       sheet figure-5 "$twisted" "$work"/{hll,llh,hhh}.obj --columns 2 --width 1000 --height 500 --view=-105:32 \
         --caption "The design, not planar" --caption "HLL: mainly position" \
         --caption "LLH: mainly the shape of the quads; ripples" --caption "HHH: everything; close to the design"
+      ;;
+    figure-6)
+      "$cli" sample wave-roof --panels 3000 -o "$work/wave.obj" > /dev/null
+      tent "$work/tent.obj" "$work/tent.csv"
+      solve wave-panels cluster "$work/wave.obj" --panels 48
+      solve tent-panels cluster "$work/tent.obj" --from-regions "$work/tent.csv"
+      sheet figure-6 "$work"/{wave,wave-panels,tent,tent-panels}.obj --columns 2 --width 1000 --height 720 \
+        --caption "Wave roof, 5,800 triangles" --caption "48 planar panels" \
+        --caption "Folded tent, 3,744 triangles" --caption "24 planar panels, 12 of them through the top" \
+        --view=-120:32 --view=-120:32 --view=-100:34:1.7:0:0:2 --view=-100:34:1.7:0:0:2
       ;;
     figure-7)
       solve fair dual "$hut" --offset 0.2 --weights position=0.1,fairing=1

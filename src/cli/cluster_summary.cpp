@@ -44,8 +44,10 @@ void print_clusters(const ClusterReport& report, const std::string& unit) {
       kAcuteDegrees, report.acute.size(), sharpest->panel, sharpest->degrees, sharpest->point);
 }
 
-bool error_met(const ClusterReport& report, const std::string& begin) {
-  if (report.target_met) return true;
+bool clustering_done(const ClusterReport& report, const std::string& begin) {
+  if (report.stopped)
+    std::fprintf(stderr, "%sthe clustering was stopped before it was done\n", begin.c_str());
+  if (report.target_met) return !report.stopped;
   std::fprintf(stderr, "%s%d regions do not meet the error that was asked for\n", begin.c_str(),
                report.clusters);
   return false;

@@ -9,7 +9,8 @@ namespace planewright::cli {
 
 void print_clusters(const ClusterReport& report, const std::string& unit);
 
-// Whether the error that was asked for is met; warns if not. begin: of the warning's line.
-bool error_met(const ClusterReport& report, const std::string& begin);
+// Whether it came to its end and meets the error that was asked for; warns if not. begin: of the warning's
+// line.
+bool clustering_done(const ClusterReport& report, const std::string& begin);
 
 }  // namespace planewright::cli

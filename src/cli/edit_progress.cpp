@@ -2,25 +2,11 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <cstdio>
 
 namespace planewright::cli {
-namespace {
 
-constexpr std::chrono::milliseconds kBetweenLooks{20};
-
-}  // namespace
-
-EditProgress::EditProgress(bool quiet)
-    : interrupt_(true, 1.0), quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {
-  watcher_ = std::jthread([this](const std::stop_token& ended) {
-    while (!ended.stop_requested()) {
-      interrupt_.poll();
-      std::this_thread::sleep_for(kBetweenLooks);
-    }
-  });
-}
+EditProgress::EditProgress(bool quiet) : quiet_(quiet), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 EditProgress::~EditProgress() {
   finish_line();

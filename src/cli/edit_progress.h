@@ -1,10 +1,7 @@
-// Progress of rating and applying edits on stderr, and Ctrl-C as a stop request: looked for by a thread of
-// its own, because the solves between two edits tell nobody of their steps.
+// Progress of rating and applying edits on stderr, and Ctrl-C as a stop request.
 #pragma once
 
-#include <thread>
-
-#include "cli/progress.h"
+#include "cli/interrupt_watch.h"
 #include "core/advise/improve.h"
 
 namespace planewright::cli {
@@ -21,9 +18,8 @@ class EditProgress final : public ImproveObserver {
  private:
   void finish_line();
 
-  Progress interrupt_;
+  InterruptWatch interrupt_;
   bool quiet_, terminal_, line_open_ = false;
-  std::jthread watcher_;  // last: it uses interrupt_
 };
 
 }  // namespace planewright::cli

@@ -23,7 +23,11 @@ ExitStatus worse(ExitStatus a, ExitStatus b) {
 
 }  // namespace
 
-Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& plan) {
+Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& plan,
+                         const std::vector<NamedFile>& further_inputs,
+                         const std::vector<NamedFile>& further_outputs) {
+  std::vector<NamedFile> inputs = inputs_of(options);
+  inputs.insert(inputs.end(), further_inputs.begin(), further_inputs.end());
   std::vector<NamedFile> outputs = outputs_of(plan);
   for (const NamedFile& output : outputs)
     if (!output.path.empty())
@@ -33,7 +37,8 @@ Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& pl
     return fail(ErrorCode::Usage, "the name does not end in " + std::string(kProjectEnding),
                 "--project " + options.project, "Projects are known by that ending");
   outputs.push_back({"--project", options.project});
-  return check_outputs(inputs_of(options), outputs);
+  outputs.insert(outputs.end(), further_outputs.begin(), further_outputs.end());
+  return check_outputs(inputs, outputs);
 }
 
 Result<ExitStatus> solve_layers(const LayerPlan& plan, const SolveCommandOptions& options,

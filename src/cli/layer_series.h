@@ -15,7 +15,9 @@ namespace planewright::cli {
 
 // What cannot be written should be known before the work, not after it. Fails as check_outputs() does, and
 // for names whose ending is no format.
-Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& plan);
+Result<void> check_files(const SolveCommandOptions& options, const LayerPlan& plan,
+                         const std::vector<NamedFile>& further_inputs = {},
+                         const std::vector<NamedFile>& further_outputs = {});
 
 // Says so where --reference steers nothing, because 'closeness' has no weight.
 void note_idle_reference(const LayerPlan& plan, const SolveCommandOptions& options);

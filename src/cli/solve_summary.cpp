@@ -153,7 +153,7 @@ ExitStatus judge(const SolveRecord& record) {
                  crossing.size(), crossing.front());
     return kNotMet;
   }
-  if (record.clusters && !error_met(*record.clusters, begin)) return kNotMet;
+  if (record.clusters && !clustering_done(*record.clusters, begin)) return kNotMet;
   if (record.settings.no_penetration && solve.crossings != solve.crossings_waived) {
     if (solve.crossings < 0)
       std::fprintf(stderr, "%swhether panels cross the mesh was not found out\n", begin.c_str());

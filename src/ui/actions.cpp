@@ -252,7 +252,7 @@ std::string Actions::label(Action action) const {
     case Action::Redo:
       return with_step("Redo", state_.document().redo_name());
     case Action::SolveOrStop:
-      return state_.solving() ? "Stop" : "Solve";
+      return state_.busy() ? "Stop" : "Solve";
     case Action::ApplySuggestion:
       if (const Suggestion* at_hand = state_.suggestion_at_hand())
         return state_.edit_name(at_hand->candidate.edit);
@@ -374,7 +374,7 @@ void Actions::run(Action action) {
       set_mode(ComplexKind::Cluster);
       break;
     case Action::SolveOrStop:
-      if (state_.solving()) {
+      if (state_.busy()) {
         state_.stop();
       } else {
         state_.solve();

@@ -229,6 +229,7 @@ void AppState::solve(Start start) {
 }
 
 void AppState::stop() {
+  stop_clustering();
   solve_wanted_ = start_afresh_ = false;
   background_wanted_ = false;
   for (LayerRun& of : runs_) of.polish_wanted = false;

@@ -146,6 +146,7 @@ class AppState {
   bool clustering() const {
     return cluster_task_.running() || !cluster_wishes_.empty() || stroke_.has_value();
   }
+  bool busy() const { return solving() || clustering(); }  // what stop() ends
   // What was asked for last, whatever came of it; else what the clusters were made with.
   ClusterOptions cluster_options() const;
   // Why that came to nothing; until the next wish.
@@ -436,6 +437,7 @@ class AppState {
   bool clusters_wanted() const;
   void wish(ClusterWish wish);
   void start_clustering();
+  void stop_clustering();
   bool update_clusters();
   void take_clusters(Result<Painted> made);
   void take_stroke(const Painted& painted);
@@ -506,7 +508,8 @@ class AppState {
   std::deque<ClusterWish> cluster_wishes_;       // whose turn is to come
   std::optional<ClusterOptions> cluster_asked_;  // that the clusters do not meet yet, or cannot
   std::optional<Error> cluster_error_;
-  bool merge_ends_late_ = false;  // a control was let go of whose last value is being clustered
+  bool clustering_cut_short_ = false;  // by the designer, who keeps what there is
+  bool merge_ends_late_ = false;       // a control was let go of whose last value is being clustered
   struct Stroke {
     int from = 0;
     std::vector<int> waiting;  // faces

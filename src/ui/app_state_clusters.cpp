@@ -2,6 +2,7 @@
 // them.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/app_state.h"
 #include "ui/format.h"
@@ -78,7 +79,7 @@ void AppState::set_cluster_options(const ClusterOptions& options, std::string wh
   wanted.make = [options, anew, mesh = document_.mesh()](const SharedClusters& from,
                                                          const std::stop_token& stop) {
     const bool targets = options.target_normal || options.target_distance;
-    auto made = !from             ? cluster_mesh(mesh, options, stop)
+    auto made = !from             ? cluster_mesh(mesh, options, nullptr, stop)
                 : anew || targets ? planewright::cluster_anew(*from, options, stop)
                                   : recluster(*from, options, stop);
     return std::move(made).map(whole);
@@ -183,14 +184,23 @@ void AppState::wish(ClusterWish wanted) {
   if (!wanted.by_hand) {
     std::erase_if(cluster_wishes_, [](const ClusterWish& other) { return !other.by_hand; });
     // From seeds it can take seconds, for a result that nobody asks for any more.
-    if (clustering_wish_ && !clustering_wish_->by_hand && clustering_wish_->merge_key.empty())
+    if (clustering_wish_ && !clustering_wish_->by_hand && clustering_wish_->merge_key.empty()) {
+      clustering_cut_short_ = false;
       cluster_stop_.request_stop();
+    }
   }
   cluster_wishes_.push_back(std::move(wanted));
   start_clustering();
 }
 
+void AppState::stop_clustering() {
+  if (!clustering_wish_ || clustering_wish_->by_hand || cluster_stop_.stop_requested()) return;
+  clustering_cut_short_ = true;
+  cluster_stop_.request_stop();
+}
+
 void AppState::drop_cluster_wishes() {
+  clustering_cut_short_ = false;
   cluster_wishes_.clear();
   stroke_.reset();
   clustering_wish_.reset();
@@ -227,7 +237,7 @@ bool AppState::update_clusters() {
   bool changed = false;
   if (auto made = cluster_task_.take()) {
     changed = true;
-    const bool superseded = cluster_stop_.stop_requested();
+    const bool superseded = cluster_stop_.stop_requested() && !std::exchange(clustering_cut_short_, false);
     if (clustering_wish_ && !superseded) take_clusters(std::move(*made));
     clustering_wish_.reset();
   }

@@ -61,7 +61,7 @@ void draw_freedom(Desk& desk) {
 void draw_solve(Desk& desk) {
   Ui& ui = desk.ui;
   AppState& state = desk.state;
-  const bool solving = state.solving();
+  const bool solving = state.busy();
   ButtonLook look;
   look.has_icon = true;
   look.icon = solving ? Icon::Stop : Icon::Play;
@@ -89,8 +89,11 @@ void draw_solve(Desk& desk) {
   const SolveReport* report = state.report();
   const auto& history = state.history();
   if (solving) {
-    const bool stepped = !history.empty();
-    ui.value_row(state.polishing() ? "Polishing" : "Solving",
+    const bool clusters = !state.solving();
+    const bool stepped = !clusters && !history.empty();
+    ui.value_row(clusters            ? "Clustering"
+                 : state.polishing() ? "Polishing"
+                                     : "Solving",
                  stepped ? "step " + format_count(history.back().number) : "…");
     ui.value_row("Time", stepped ? format_duration(history.back().seconds) : "…");
   } else if (report != nullptr) {

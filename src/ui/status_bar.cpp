@@ -13,6 +13,7 @@ std::string sentence(const Desk& desk) {
   if (state.loading()) return "Opening " + state.loading_name() + " …";
   if (state.exporting()) return "Writing the panels …";
   if (state.document().empty()) return "Drop a mesh on the window, or press Ctrl O.";
+  if (state.clustering() && !state.solving()) return "Clustering …";
   const auto& shown = state.shown();
   if (state.solving()) {
     const bool polishing = state.polishing();
@@ -52,7 +53,7 @@ void draw_status_bar(Desk& desk, const Rect& place) {
   const float room = place.width() - right_width - ui.px(56);
 
   float left = place.min.x + ui.px(14);
-  if (desk.state.solving() || desk.state.loading() || desk.state.exporting()) {
+  if (desk.state.busy() || desk.state.loading() || desk.state.exporting()) {
     // Something turns while something runs.
     const ImVec2 centre(left + ui.px(6), 0.5f * (place.min.y + place.max.y));
     const auto angle = static_cast<float>(std::fmod(ImGui::GetTime() * 4.0, 6.283185307179586));

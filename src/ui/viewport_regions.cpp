@@ -193,7 +193,7 @@ void Viewport::Impl::explain_region(Ui& ui, const AppState& state) const {
     const bool second = selected.size() == 1 && regions->clusters == state.clusters() &&
                         format_count(selected.front()) != number(region_hover.face);
     text = second ? "Merge region " + format_count(selected.front()) + " with " + region
-                  : "Select " + region + ", to merge it with another";
+                  : "Merge " + region + " with the next one clicked";
   }
   ui.tooltip(text);
 }
@@ -203,7 +203,7 @@ std::string Viewport::Impl::region_hint(const AppState& state) {
     case Tool::Split:
       return "Click a region: it becomes two  ·  Esc leaves";
     case Tool::Merge:
-      return "Click a border, or one region and then its neighbour  ·  Esc leaves";
+      return "Click a border, or a region and a neighbour  ·  Esc leaves";
     case Tool::Paint:
       return "Drag from a region over its neighbours  ·  Esc leaves";
     default:

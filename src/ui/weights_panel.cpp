@@ -22,7 +22,7 @@ struct Group {
 const std::array<Group, 3>& groups() {
   static const std::array<Group, 3> all = {{
       {"Where panels are", {"position", "closeness", "offset"}},
-      {"Shape", {"edge-length", "diagonal-length", "edge-direction"}},
+      {"Shape", {"edge-length", "diagonal-length", "edge-direction", "corner-angle"}},
       {"Evenness", {"fairing", "normal-smoothness", "proxy-normal"}},
   }};
   return all;

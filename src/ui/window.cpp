@@ -242,7 +242,7 @@ Result<void> Window::open() {
 
 double Window::sleep_seconds() const {
   double seconds = 0.5;
-  if (state_.solving() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput || dump_)
+  if (state_.busy() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput || dump_)
     seconds = 0.05;
   if (const auto deadline = state_.next_deadline()) {
     seconds = std::min(seconds, std::chrono::duration<double>(*deadline - Clock::now()).count());
@@ -277,8 +277,7 @@ Result<void> Window::run() {
 
     // Things that move by themselves: the time of a running solve, a text cursor, a gesture that ends by
     // waiting.
-    const bool lively =
-        state_.solving() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput;
+    const bool lively = state_.busy() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput;
     if (viewport_->flying()) frames_due_ = std::max(frames_due_, 1);
     if (lively && now - last_frame_ > 90ms) frames_due_ = std::max(frames_due_, 1);
     if (dump_) frames_due_ = std::max(frames_due_, 1);

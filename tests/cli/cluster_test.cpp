@@ -171,5 +171,107 @@ TEST_F(ClusterCommand, LayersPinsAndTheBaselineWork) {
   EXPECT_EQ(json("p.json")["plane_pins"], 1);
 }
 
+TEST_F(ClusterCommand, RegionsAreWrittenAndReadAgain) {
+  const std::string input = sample("torus", 400), regions = path("regions.csv");
+  const Ended found = run({"cluster", input, "-o", path("o.obj"), "--panels", "40", "--solver", "tangent",
+                           "--regions", regions, "--report", path("r.json")});
+  ASSERT_EQ(found.status, 0) << found.err;
+  const std::string text = test::text_of(regions);
+  EXPECT_TRUE(text.starts_with("face,region\n0,")) << text.substr(0, 40);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), json("r.json")["health"]["faces"].get<int>() + 1);
+  const Ended read = run({"cluster", input, "-o", path("again.obj"), "--from-regions", regions, "--regions",
+                          path("again.csv"), "--solver", "tangent", "--report", path("again.json")});
+  ASSERT_EQ(read.status, 0) << read.err;
+  EXPECT_EQ(test::text_of(path("again.csv")), text);
+  EXPECT_EQ(test::text_of(path("again.obj")), test::text_of(path("o.obj")))
+      << "the same regions, the same panels";
+  const Json cluster = json("again.json")["cluster"];
+  EXPECT_EQ(cluster["seeds"], "regions");
+  EXPECT_TRUE(cluster["seed"].is_null());
+  EXPECT_EQ(cluster["asked"], json("r.json")["panels"]) << "repairs are among them";
+  EXPECT_EQ(cluster["l21_error"], json("r.json")["cluster"]["l21_error"]);
+}
+
+TEST_F(ClusterCommand, RegionsThatAreNoneAreRefusedWithTheirPlace) {
+  const std::string two = tetrahedra(), out = path("o.obj");
+  const auto from = [&](const std::string& text, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"cluster", two, "-o", out, "--from-regions", written("r.csv", text)};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  };
+  const std::string head = "face,region\n", apart = "0,0\n1,0\n2,0\n3,1\n4,2\n5,2\n6,2\n7,2\n";
+  expect_refusal(from("0,0\n"), 3, {"r.csv:1", "face,region"});
+  expect_refusal(from(head + "0,0\n1,zero\n"), 3, {"r.csv:3", "1,zero"});
+  expect_refusal(from(head + "0,0\n8,0\n"), 3, {"r.csv:3", "no face 8", "8 faces"});
+  expect_refusal(from(head + "0,0\n"), 3, {"r.csv", "face 1 has no region"});
+  expect_refusal(from(head + "0,0\n1,0\n2,0\n3,0\n4,0\n5,0\n6,0\n7,0\n"), 3,
+                 {"r.csv", "region 0", "face 4 lies apart"});
+  expect_refusal(from(head + "0,0\n1,0\n2,0\n3,0\n4,2\n5,2\n6,2\n7,2\n"), 3,
+                 {"r.csv", "region 1", "no face"});
+  expect_refusal(from(head + apart, {"--panels", "3"}), 2, {"--from-regions", "--panels"});
+  expect_refusal(from(head + apart, {"--regions", path("r.csv")}), 2, {"--regions", "--from-regions"});
+  expect_refusal(run({"cluster", two, "-o", out, "--from-regions", path("none.csv")}), 3, {"none.csv"});
+  expect_refusal(run({"cluster", two, "-o", out, "--panels", "2", "--regions", path("no/r.csv")}), 5,
+                 {"no/r.csv"});
+  EXPECT_FALSE(exists("o.obj"));
+}
+
+TEST_F(ClusterCommand, RegionsStartAtGivenFaces) {
+  const std::string input = sample("torus", 400);
+  const auto cluster = [&](const std::string& faces) {
+    const Ended made = run({"cluster", input, "-o", path("o.obj"), "--seed-faces", faces, "--solver",
+                            "tangent", "--report", path("r.json")});
+    EXPECT_LE(made.status, 1) << made.err;
+    return json("r.json")["cluster"];
+  };
+  const Json list = cluster("0,40-49,100,200,300,350");
+  EXPECT_EQ(list["seeds"], "given");
+  EXPECT_EQ(list["asked"], 15);
+  EXPECT_EQ(cluster(written("seeds.txt", "0  # the first\n40-49\n100 200 300 350\n")), list);
+  EXPECT_NE(cluster("0,60-69,110,210,310,390")["error"], list["error"]) << "seeds matter";
+
+  const std::string two = tetrahedra(), out = path("t.obj");
+  const auto refused = [&](const std::string& faces, int status, const std::vector<std::string>& words,
+                           const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments{"cluster", two, "-o", out, "--seed-faces", faces};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    expect_refusal(run(arguments), status, words);
+  };
+  refused("0,8", 2, {"--seed-faces", "no face 8", "8 faces"});
+  refused("5-4", 2, {"--seed-faces", "backwards"});
+  refused("1,1", 2, {"--seed-faces", "twice"});
+  refused("0,1", 2, {"--seed-faces"});  // none in the second tetrahedron
+  refused("0,4", 2, {"--seed-faces"}, {"--seed", "3"});
+  refused("0,4", 2, {"--seed-faces", "--error"}, {"--error", "0.1"});
+  refused("0,4", 2, {"--seed-faces"}, {"--panels", "3"});
+  refused(written("bad.txt", "0\n4 four\n"), 3, {"bad.txt:2", "four"});
+  refused(path("none.txt"), 3, {"none.txt"});
+  EXPECT_FALSE(exists("t.obj"));
+}
+
+TEST_F(ClusterCommand, BluntCornersRemoveAcuteOnesAndShortEdges) {
+  const std::string input = std::string(PLANEWRIGHT_SOURCE_DIR) + "/assets/saddle-roof.obj";
+  for (const char* solver : {"tangent", "ipopt"}) {
+    const auto made = [&](const char* preset) {
+      const Ended ended = run({"cluster", input, "-o", path("o.obj"), "--panels", "100", "--preset", preset,
+                               "--solver", solver, "--report", path("r.json")});
+      EXPECT_LE(ended.status, 1) << ended.err;
+      EXPECT_EQ(json("r.json")["status"], "converged");
+      EXPECT_LE(json("r.json")["planarity"]["max_relative_to_bbox"].get<double>(), 1e-9);
+      return json("r.json");
+    };
+    const Json sharp = made("proxy-planes"), blunt = made("blunt-corners");
+    EXPECT_GE(sharp["cluster"]["acute_panels"].size(), 8u) << solver;
+    EXPECT_LE(blunt["cluster"]["acute_panels"].size(), 2u) << solver;
+    EXPECT_FALSE(sharp["diagnosis"]["short_edges"].empty()) << solver;
+    EXPECT_TRUE(blunt["diagnosis"]["short_edges"].empty()) << solver;
+    // For a price.
+    const auto distance = [](const Json& report) {
+      return report["cluster"]["distance"]["both"]["rms"].get<double>();
+    };
+    EXPECT_LT(distance(blunt), 1.4 * distance(sharp)) << solver;
+  }
+}
+
 }  // namespace
 }  // namespace planewright

@@ -92,5 +92,22 @@ TEST_F(Interrupt, ImproveEndsWhileItListsWhatIsLeft) {
   EXPECT_LT(json("r.json")["seconds"].get<double>(), 20.0);
 }
 
+TEST_F(Interrupt, ClusterMakesPanelsOfTheRegionsOfThatMoment) {
+  const test::Ended ended =
+      interrupted({"cluster", sample("torus", 60000), "-o", path("p.obj"), "--panels", "60", "--regions",
+                   path("regions.csv"), "--report", path("r.json"), "--solver", "tangent"},
+                  "clustering:");
+  EXPECT_EQ(ended.status, 1) << ended.err;
+  EXPECT_NE(ended.err.find("clustering was stopped; panels are made of the"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("the clustering was stopped before it was done"), std::string::npos) << ended.err;
+  const nlohmann::json report = json("r.json");
+  EXPECT_EQ(report["cluster"]["stopped"], true);
+  EXPECT_EQ(report["cluster"]["clusters"], 60);
+  EXPECT_EQ(report["status"], "converged");
+  EXPECT_LE(report["planarity"]["max_relative_to_bbox"].get<double>(), 1e-9);
+  EXPECT_EQ(run({"check", path("p.obj")}).status, 0);
+  EXPECT_TRUE(exists("regions.csv"));
+}
+
 }  // namespace
 }  // namespace planewright

@@ -229,6 +229,23 @@ TEST(AppStateClusters, SeedsByLotAreTheSameForTheSameNumber) {
   EXPECT_NE(first, second);
 }
 
+TEST(AppStateClusters, StoppingKeepsTheRegionsThatThereAre) {
+  AppState state;
+  state.set_auto_solve(false);
+  state.open_sample("dome", 8000);
+  ASSERT_TRUE(run_until(state, [&] { return !state.loading() && !state.document().empty(); }));
+  LayerSettings settings = state.document().settings();
+  settings.mode = ComplexKind::Cluster;
+  state.change_settings(settings, "Mode cluster");
+  ASSERT_TRUE(run_until(state, [&] { return state.clustering(); }));
+  state.stop();
+  EXPECT_TRUE(state.busy());
+  ASSERT_TRUE(run_until(state, [&] { return !state.clustering(); }));
+  ASSERT_NE(state.clusters(), nullptr);
+  EXPECT_GT(state.clusters()->regions.count(), 10);
+  EXPECT_FALSE(state.cluster_error());
+}
+
 TEST(AppStateClusters, ARegionAndItsPanelAreSelectedTogether) {
   AppState state;
   state.open_sample("dome", 300);

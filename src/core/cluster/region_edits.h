@@ -1,7 +1,11 @@
-// Edits of a clustering by hand: merge two regions, split one, paint a face. Each gives a new clustering, or
+// Edits of a clustering by hand: merge two regions, split one, paint faces. Each gives a new clustering, or
 // refuses (ErrorCode::Refused) with the reason and what to do instead. The clustering has to be one of the
 // graph, as cluster() and clustering_of() make them. Indices: 0-based. Threads: pure, deterministic.
 #pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
 
 #include "core/cluster/clustering.h"
 
@@ -21,5 +25,15 @@ Result<Clustering> split_region(const FaceGraph& graph, const Clustering& cluste
 // already, the region is not beside it, or the face's own region would be empty or fall apart.
 Result<Clustering> paint_face(const FaceGraph& graph, const Clustering& clustering, int face, int region,
                               const ClusterMetric& metric = {});
+
+struct PaintedFaces {
+  Clustering clustering;
+  std::vector<int> refused;  // faces that could not go over, in the order given
+  std::optional<Error> why;  // the last of them; none: all went
+  bool changed = false;
+};
+// Likewise several faces, in whatever order works. Refused as a whole: no such region.
+Result<PaintedFaces> paint_faces(const FaceGraph& graph, const Clustering& clustering,
+                                 std::span<const int> faces, int region, const ClusterMetric& metric = {});
 
 }  // namespace planewright

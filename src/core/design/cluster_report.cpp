@@ -16,10 +16,12 @@ ClusterReport measure_clusters(const ClusteredMesh& clustered, const Panels& pan
   const PolygonMesh& mesh = *clustered.mesh;
   ClusterReport report;
   report.options = clustered.options;
+  report.given = clustered.given;
   report.clusters = clustered.clustering.regions();
   report.iterations = clustered.clustering.iterations;
   report.teleports = clustered.clustering.teleports;
   report.target_met = clustered.clustering.target_met;
+  report.stopped = clustered.clustering.stopped;
   report.l21 = regions.normal_error * regions.normal_error;
   report.error = regions.error;
   report.distance = regions.distance_error;

@@ -6,6 +6,7 @@
 
 #include <map>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/cluster/surface_distance.h"
@@ -17,9 +18,11 @@ namespace planewright {
 
 struct ClusterReport {
   ClusterOptions options;
-  int clusters = 0;  // before the repairs
+  bool given = false;  // as of ClusteredMesh
+  int clusters = 0;    // before the repairs
   int iterations = 0, teleports = 0;
   bool target_met = true;
+  bool stopped = false;  // the clustering, before it was done
   // Of the regions after the repairs. l21: the integral of |n_T - n|^2 over the mesh, as a share of its area;
   // error: by the metric; distance: rms of (x - c) . n, as a share of the square root of the area.
   double l21 = 0.0, error = 0.0, distance = 0.0;

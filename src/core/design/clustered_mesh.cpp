@@ -17,13 +17,13 @@ Result<SharedGraph> graph_of(const PolygonMesh& mesh) {
 }
 
 Result<SharedClusters> made_ready(std::shared_ptr<const PolygonMesh> mesh, SharedGraph graph,
-                                  const ClusterOptions& options, Clustering clustering) {
+                                  const ClusterOptions& options, Clustering clustering, bool given = false) {
   RegionOptions of_regions;
   of_regions.metric = options.metric;
   auto regions = make_regions(*graph, clustering, of_regions);
   if (!regions) return tl::unexpected(regions.error());
-  return std::make_shared<const ClusteredMesh>(
-      ClusteredMesh{std::move(mesh), std::move(graph), options, std::move(clustering), std::move(*regions)});
+  return std::make_shared<const ClusteredMesh>(ClusteredMesh{
+      std::move(mesh), std::move(graph), options, given, std::move(clustering), std::move(*regions)});
 }
 
 // What a designer sees, as a clustering to change by hand.
@@ -102,12 +102,24 @@ void renumber(std::vector<int>& regions, int& count) {
 }  // namespace
 
 Result<SharedClusters> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh, const ClusterOptions& options,
-                                    std::stop_token stop) {
+                                    ClusterObserver* observer, std::stop_token stop) {
   auto graph = graph_of(*mesh);
   if (!graph) return tl::unexpected(graph.error());
-  auto clustering = cluster(**graph, options, nullptr, std::move(stop));
+  auto clustering = cluster(**graph, options, observer, std::move(stop));
   if (!clustering) return tl::unexpected(clustering.error());
   return made_ready(std::move(mesh), std::move(*graph), options, std::move(*clustering));
+}
+
+Result<SharedClusters> mesh_of_regions(std::shared_ptr<const PolygonMesh> mesh,
+                                       std::vector<int> region_of_face, const ClusterMetric& metric) {
+  auto graph = graph_of(*mesh);
+  if (!graph) return tl::unexpected(graph.error());
+  auto clustering = clustering_of(**graph, std::move(region_of_face), metric);
+  if (!clustering) return tl::unexpected(clustering.error());
+  ClusterOptions options;
+  options.panels = clustering->regions();
+  options.metric = metric;
+  return made_ready(std::move(mesh), std::move(*graph), options, std::move(*clustering), true);
 }
 
 Result<SharedClusters> cluster_anew(const ClusteredMesh& from, const ClusterOptions& options,
@@ -147,32 +159,15 @@ Result<Painted> with_faces_painted(const ClusteredMesh& of, std::span<const int>
   if (from < 0 || from >= of.graph->face_count())
     return fail(ErrorCode::Refused, "there is no such face", "face " + std::to_string(from),
                 "Choose one that there is");
-  const int region = clustering->region_of_face[from];
-  Painted result;
-  std::vector<int> left(faces.begin(), faces.end());
-  bool changed = false;
-  for (bool goes_on = true; goes_on;) {  // what is not beside the region yet may be so later
-    goes_on = false;
-    result.refused.clear();
-    result.why.reset();
-    for (const int f : left) {
-      if (f >= 0 && f < of.graph->face_count() && clustering->region_of_face[f] == region) continue;
-      auto painted = paint_face(*of.graph, *clustering, f, region, of.options.metric);
-      if (painted) {
-        *clustering = std::move(*painted);
-        changed = goes_on = true;
-      } else {
-        result.refused.push_back(f);
-        result.why = painted.error();
-      }
-    }
-    left = result.refused;
-  }
-  if (!changed) {
+  auto painted =
+      paint_faces(*of.graph, *clustering, faces, clustering->region_of_face[from], of.options.metric);
+  if (!painted) return tl::unexpected(painted.error());
+  Painted result{nullptr, std::move(painted->refused), std::move(painted->why)};
+  if (!painted->changed) {
     result.clusters = std::make_shared<const ClusteredMesh>(of);
     return result;
   }
-  auto clusters = changed_by_hand(of, std::move(*clustering));
+  auto clusters = changed_by_hand(of, std::move(painted->clustering));
   if (!clusters) return tl::unexpected(clusters.error());
   result.clusters = std::move(*clusters);
   return result;

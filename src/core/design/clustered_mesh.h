@@ -23,14 +23,19 @@ struct ClusteredMesh {
   std::shared_ptr<const PolygonMesh> mesh;
   std::shared_ptr<const FaceGraph> graph;  // of that mesh
   ClusterOptions options;
+  bool given = false;     // regions that were given, not found: of the options only the metric counts
   Clustering clustering;  // before the repairs
   Regions regions;
 };
 using SharedClusters = std::shared_ptr<const ClusteredMesh>;
 
-// Clusters the mesh and makes regions of it. Fails as FaceGraph::create(), cluster() and make_regions() do.
+// Clusters the mesh and makes regions of it, also of a clustering that was stopped. Fails as
+// FaceGraph::create(), cluster() and make_regions() do.
 Result<SharedClusters> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh, const ClusterOptions& options,
-                                    std::stop_token stop = {});
+                                    ClusterObserver* observer = nullptr, std::stop_token stop = {});
+// The same with regions that are given, the region of each face. Fails also as clustering_of() does.
+Result<SharedClusters> mesh_of_regions(std::shared_ptr<const PolygonMesh> mesh,
+                                       std::vector<int> region_of_face, const ClusterMetric& metric);
 // The mesh of `from`, clustered anew.
 Result<SharedClusters> cluster_anew(const ClusteredMesh& from, const ClusterOptions& options,
                                     std::stop_token stop = {});

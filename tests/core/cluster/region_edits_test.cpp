@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "support/clusters.h"
 
 namespace planewright {
@@ -15,7 +17,8 @@ struct Strip {
   Clustering clustering = clustering_of(graph, {0, 1, 1, 2}, {}).value();
 };
 
-void expect_refused(const Result<Clustering>& result, const std::string& words) {
+template <class T>
+void expect_refused(const Result<T>& result, const std::string& words) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, ErrorCode::Refused);
   EXPECT_NE(result.error().text().find(words), std::string::npos) << result.error().text();
@@ -87,6 +90,29 @@ TEST(RegionEdits, PaintsFacesWhoseRegionsStayWhole) {
   const Clustering rows = clustering_of(graph, {0, 0, 0, 1, 1, 1}, {}).value();
   expect_refused(paint_face(graph, rows, 1, 1), "fall apart");
   EXPECT_TRUE(paint_face(graph, rows, 0, 1));
+}
+
+TEST(RegionEdits, PaintsManyFacesInWhateverOrderWorks) {
+  const FaceGraph graph = graph_of(grid(3, 2).mesh());
+  const Clustering rows = clustering_of(graph, {0, 0, 0, 1, 1, 1}, {}).value();
+  // The middle one cannot go before an end has gone, the last one of the three not at all.
+  const auto painted = paint_faces(graph, rows, std::array{1, 0}, 1).value();
+  EXPECT_TRUE(painted.changed);
+  EXPECT_EQ(painted.clustering.region_of_face, (std::vector{1, 1, 0, 1, 1, 1}));
+  EXPECT_TRUE(painted.refused.empty());
+  EXPECT_FALSE(painted.why);
+  expect_whole(graph, painted.clustering, {});
+  const auto all = paint_faces(graph, rows, std::array{0, 1, 2}, 1).value();
+  EXPECT_EQ(all.clustering.region_of_face, painted.clustering.region_of_face);
+  EXPECT_EQ(all.refused, (std::vector{2}));
+  ASSERT_TRUE(all.why);
+  EXPECT_NE(all.why->what.find("without a face"), std::string::npos);
+
+  const auto idle = paint_faces(graph, rows, std::array{4, 77}, 1).value();
+  EXPECT_FALSE(idle.changed);
+  EXPECT_EQ(idle.clustering.region_of_face, rows.region_of_face);
+  EXPECT_EQ(idle.refused, (std::vector{77}));
+  expect_refused(paint_faces(graph, rows, std::array{0}, 5), "no such region");
 }
 
 }  // namespace

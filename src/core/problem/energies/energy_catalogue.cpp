@@ -1,6 +1,7 @@
 #include "core/problem/energies/energy_catalogue.h"
 
 #include "core/problem/energies/closeness_energy.h"
+#include "core/problem/energies/corner_angle_energy.h"
 #include "core/problem/energies/diagonal_length_energy.h"
 #include "core/problem/energies/edge_direction_energy.h"
 #include "core/problem/energies/edge_length_energy.h"
@@ -35,6 +36,9 @@ const std::vector<EnergyInfo>& energy_catalogue() {
       {"closeness", "Closeness",
        "Keeps every corner at the layer's offset from the reference surface, but lets it slide along it.", "",
        0.0, make_closeness_energy},
+      {"corner-angle", "Corner angle",
+       "Blunts corners of panels that are sharper than 45 degrees, and lengthens edges next to no length.",
+       "", 0.0, make_corner_angle_energy},
   };
   return catalogue;
 }

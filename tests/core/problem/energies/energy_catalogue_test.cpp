@@ -94,13 +94,14 @@ TEST(FindEnergy, NamesTheKnownOnes) {
   EXPECT_NE(found.error().remedy.find("position, fairing"), std::string::npos);
 }
 
-TEST(EnergyCatalogue, HasEveryEnergyOfThePaperAndCloseness) {
+TEST(EnergyCatalogue, HasEveryEnergyOfThePaperAndOurs) {
   for (const char* name : {"position", "fairing", "edge-length", "diagonal-length", "edge-direction",
-                           "normal-smoothness", "proxy-normal", "offset", "closeness"}) {
+                           "normal-smoothness", "proxy-normal", "offset", "closeness", "corner-angle"}) {
     const auto found = find_energy(name);
     ASSERT_TRUE(found) << name;
     EXPECT_EQ((*found)->default_weight, std::string(name) == "position" ? 1.0 : 0.0);
-    EXPECT_EQ((*found)->source.empty(), std::string(name) == "closeness");
+    EXPECT_EQ((*found)->source.empty(),
+              std::string(name) == "closeness" || std::string(name) == "corner-angle");
     EXPECT_EQ((*found)->description.back(), '.');
   }
 }

@@ -87,13 +87,15 @@ TEST_P(EnergyDerivatives, AgreeWithDifferences) {
       EXPECT_LT(check.gradient_error, 1e-6 * std::max(1.0, 1e-3 * f)) << check.worst;
       EXPECT_LT(check.hessian_error, 2e-6 * std::max(1.0, 1e-2 * check.gradient_norm)) << check.worst;
       EXPECT_GT(check.hessian_norm, 0.1);
+      // Where all corners are blunt and no edge is short, there is nothing to do.
+      if (name == "corner-angle" && f == 0.0) continue;
       if (place == Place::Perturbed) {
         EXPECT_GT(check.gradient_norm, 1e-3);
         ++with_slope;
       }
     }
   }
-  EXPECT_GE(with_slope, 12);
+  EXPECT_GE(with_slope, name == "corner-angle" ? 6 : 12);
 }
 
 // Without the constraints' curvature, which check_derivatives() includes: what the energy alone says.
