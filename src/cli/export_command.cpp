@@ -9,7 +9,9 @@
 #include "cli/export_options.h"
 #include "cli/export_summary.h"
 #include "cli/interrupt_watch.h"
+#include "cli/project_input.h"
 #include "core/base/atomic_file.h"
+#include "core/edit/project_panels.h"
 #include "core/mesh/mesh_io.h"
 #include "core/writers/schedule_writers.h"
 
@@ -46,6 +48,26 @@ Result<ExportInput> read_panel_mesh(const ExportOptions& options) {
   return input;
 }
 
+Result<ExportInput> read_project_panels(const ExportOptions& options) {
+  auto project = read_project_input(options.input);
+  if (!project) return tl::unexpected(project.error());
+  if (!options.unit.empty())
+    return fail(ErrorCode::Usage,
+                "a project has its own unit, " + std::string(symbol(project->contract.unit)), "--unit",
+                "Leave it out");
+  auto solved = solved_panels(*project, options.layer);
+  if (!solved) return tl::unexpected(solved.error());
+  ExportInput input;
+  input.points = std::move(solved->panels.points);
+  input.panels = std::move(solved->panels.polygons);
+  input.contract = project->contract;
+  input.naming.title = project->name.empty() ? std::filesystem::path(options.input).stem().string()
+                                             : std::filesystem::path(project->name).stem().string();
+  input.naming.numbers = std::move(solved->numbers);
+  input.naming.kept_names = std::move(solved->given_names);
+  return input;
+}
+
 Result<std::shared_ptr<const ReferenceSurface>> read_reference(const std::string& path) {
   if (path.empty()) return std::shared_ptr<const ReferenceSurface>();
   auto checked = load_mesh(path);
@@ -67,7 +89,7 @@ void end_progress(const ExportProgress& progress) {
 }
 
 Result<ExitStatus> run(const ExportOptions& options) {
-  auto input = read_panel_mesh(options);
+  auto input = is_project(options.input) ? read_project_panels(options) : read_panel_mesh(options);
   if (!input) return tl::unexpected(input.error());
   const auto contract = contract_of(options, input->contract);
   if (!contract) return tl::unexpected(contract.error());

@@ -150,6 +150,26 @@ TEST_F(Export, NamesAreKeptFromAnEarlierSchedule) {
     EXPECT_EQ(first["panels"][k]["name"], plain["panels"][k]["name"]);
 }
 
+TEST_F(Export, AProjectBringsItsUnitAndItsPanels) {
+  const Ended made = run({"dual", sample("dome", 60), "-o", path("panels.obj"), "--project",
+                          path("dome.planewright"), "--unit", "cm", "--quiet"});
+  ASSERT_EQ(made.status, 0) << made.err;
+  ASSERT_EQ(run({"export", path("dome.planewright"), "-o", path("project"), "--format", "json"}).status, 0);
+  ASSERT_EQ(
+      run({"export", path("panels.obj"), "-o", path("mesh"), "--format", "json", "--unit", "cm"}).status, 0);
+  const auto project = json("project/schedule.json"), mesh = json("mesh/schedule.json");
+  ASSERT_EQ(project["panels"].size(), mesh["panels"].size());
+  for (std::size_t k = 0; k < mesh["panels"].size(); ++k)
+    EXPECT_NEAR(project["panels"][k]["area_m2"].get<double>(), mesh["panels"][k]["area_m2"].get<double>(),
+                1e-12);
+  expect_refusal(
+      run({"export", path("dome.planewright"), "-o", path("out"), "--format", "json", "--unit", "m"}), 2,
+      {"its own unit, cm"});
+  expect_refusal(
+      run({"export", path("dome.planewright"), "-o", path("out"), "--format", "json", "--layer", "roof"}), 2,
+      {"roof"});
+}
+
 TEST_F(Export, BadInputIsNamed) {
   const std::string file = panels();
   const auto refused = [&](const std::vector<std::string>& options, int status,
