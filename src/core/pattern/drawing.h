@@ -5,6 +5,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/pattern/flat_pattern.h"
@@ -46,7 +47,9 @@ struct LabelOptions {
 };
 
 // One part in its own frame / all parts of a sheet. Names are inside their part, upright in the part's frame
-// (up mark beside them), and smaller where the part is small.
+// (up mark above them; none on panels that lie flat), and smaller where the part is small. Names along sides
+// read along them, from the part's left to its right; where there is no room for 0.5 mm there is none.
+// ENGRAVE has outer or inner contour, too, where it is not what is cut. Empty patterns draw nothing.
 Drawing part_drawing(const WorkshopModel& model, const FlatPattern& pattern,
                      const LabelOptions& options = {});
 Drawing sheet_drawing(const WorkshopModel& model, const std::vector<FlatPattern>& patterns,
