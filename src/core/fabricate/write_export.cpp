@@ -66,6 +66,9 @@ Result<ExportOutcome> write_export(const std::shared_ptr<const WorkshopModel>& m
   if (auto checked = check_panels(*model, prepared, settings); !checked)
     return tl::unexpected(checked.error());
 
+  for (const Drawing& drawing : prepared.drawings)
+    if (auto checked = check_drawing(drawing); !checked) return tl::unexpected(checked.error());
+
   const std::vector<PlannedFile> planned = plan_files(*model, prepared, settings);
   ExportOutcome outcome;
   outcome.folder = folder;

@@ -1,13 +1,13 @@
 #include "core/pattern/drawing.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "core/pattern/contours.h"
 #include "core/pattern/stroke_font.h"
+#include "core/workshop/panel_names.h"
 
 namespace planewright {
 namespace {
@@ -20,32 +20,6 @@ constexpr double kNameRoom = 0.6, kEdgeRoom = 0.35;
 constexpr double kEdgeText = 0.7;      // of text_height
 constexpr double kSmallestText = 0.5;  // mm; names along sides that have no room for that are left out
 constexpr double kOffSide = 0.5;       // heights between a side and the name along it
-
-// "A-2" before "A-10".
-bool before(const std::string& a, const std::string& b) {
-  const auto digit = [](char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; };
-  size_t i = 0, j = 0;
-  while (i < a.size() && j < b.size()) {
-    if (digit(a[i]) && digit(b[j])) {
-      size_t end_a = i, end_b = j;
-      while (end_a < a.size() && digit(a[end_a])) ++end_a;
-      while (end_b < b.size() && digit(b[end_b])) ++end_b;
-      while (i < end_a - 1 && a[i] == '0') ++i;
-      while (j < end_b - 1 && b[j] == '0') ++j;
-      const std::string number_a = a.substr(i, end_a - i), number_b = b.substr(j, end_b - j);
-      if (number_a.size() != number_b.size()) return number_a.size() < number_b.size();
-      if (number_a != number_b) return number_a < number_b;
-      i = end_a;
-      j = end_b;
-    } else if (a[i] != b[j]) {
-      return a[i] < b[j];
-    } else {
-      ++i;
-      ++j;
-    }
-  }
-  return a.size() - i != b.size() - j ? a.size() - i < b.size() - j : a < b;
-}
 
 class PartPen {
  public:
@@ -217,7 +191,7 @@ Drawing row_drawing(const WorkshopModel& model, const std::vector<FlatPattern>& 
     return model.names[static_cast<size_t>(p->panel)];
   };
   std::sort(order.begin(), order.end(),
-            [&](const FlatPattern* a, const FlatPattern* b) { return before(name(a), name(b)); });
+            [&](const FlatPattern* a, const FlatPattern* b) { return natural_name_less(name(a), name(b)); });
 
   // Where each part's lower left corner is, from the top of the page downwards; then the page is as high.
   const double width = std::max(std::sqrt(area), widest);

@@ -39,7 +39,7 @@ struct Filled {
 }  // namespace
 
 Result<Nesting> nest(const std::vector<FlatPattern>& patterns, const NestingOptions& options,
-                     const std::function<void(int, int)>& progress, const std::atomic<bool>* stop) {
+                     const std::function<void(int, int)>& progress, const std::stop_token& stop) {
   const SheetSize& sheet = options.sheet;
   for (const double value : {sheet.width, sheet.height, options.spacing, options.margin})
     if (!std::isfinite(value) || value < 0.0 || std::max(sheet.width, sheet.height) > 1e6)

@@ -218,7 +218,7 @@ SheetPart::SheetPart(int panel, double area, const Contour& hull, const std::vec
 
 std::optional<std::vector<Placement>> fill_sheet(const std::vector<SheetPart>& parts,
                                                  const std::vector<size_t>& waiting, const Vector2d& room,
-                                                 const std::atomic<bool>* stop) {
+                                                 const std::stop_token& stop) {
   std::vector<Placement> fullest;
   double most = -1.0;
   for (const Way& way :
@@ -226,7 +226,7 @@ std::optional<std::vector<Placement>> fill_sheet(const std::vector<SheetPart>& p
     Sheet sheet(parts, room, way);
     int misses = 0;
     for (const size_t part : waiting) {
-      if (stop && stop->load()) return std::nullopt;
+      if (stop.stop_requested()) return std::nullopt;
       misses = sheet.lay(part) ? 0 : misses + 1;
       if (misses >= kMisses) break;
     }

@@ -1,9 +1,9 @@
 // Filling one sheet. The only file besides its .cpp that knows how nesting is done. Threads: pure.
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/pattern/flat_pattern.h"
@@ -43,6 +43,6 @@ struct Placement {
 // empty room. None: stopped.
 std::optional<std::vector<Placement>> fill_sheet(const std::vector<SheetPart>& parts,
                                                  const std::vector<size_t>& waiting,
-                                                 const Eigen::Vector2d& room, const std::atomic<bool>* stop);
+                                                 const Eigen::Vector2d& room, const std::stop_token& stop);
 
 }  // namespace planewright

@@ -211,16 +211,20 @@ TEST(Nesting, TurnsRectanglesSoThatTheyFillTheSheet) {
 TEST(Nesting, TellsProgressAndStops) {
   const auto parts = hexagons(60, 500.0, 0.2);
   std::vector<int> told;
-  std::atomic<bool> stop = false;
+  std::stop_source stop;
   const auto progress = [&](int done, int total) {
     EXPECT_EQ(total, 60);
     told.push_back(done);
   };
-  EXPECT_FALSE(nest(parts, {}, progress, &stop).value().stopped);
+  EXPECT_FALSE(nest(parts, {}, progress, stop.get_token()).value().stopped);
   EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
   EXPECT_EQ(told.back(), 60);
   const Nesting stopped = nest(
-                              parts, {}, [&](int done, int) { stop = done > 0; }, &stop)
+                              parts, {},
+                              [&](int done, int) {
+                                if (done > 0) stop.request_stop();
+                              },
+                              stop.get_token())
                               .value();
   EXPECT_TRUE(stopped.stopped);
   EXPECT_EQ(stopped.sheets.size(), 1u);
