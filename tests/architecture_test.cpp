@@ -191,11 +191,11 @@ TEST(Architecture, OnlyExactPredicatesIncludeCgal) {
 TEST(Architecture, OnlyReadersOfTheCertificateIncludeTheirLibraries) {
   const std::map<std::string, std::set<std::string>> readers{
       {"dime/", {"core/certify/dxf_reader.cpp"}},
-      {"libxml/", {"core/certify/svg_reader.cpp", "core/certify/package_info.cpp"}},
+      {"libxml/", {"core/certify/svg_reader.cpp", "core/certify/package_reader.cpp"}},
       {"qpdf/", {"core/certify/pdf_reader.cpp", "core/certify/pdf_font.h", "core/certify/pdf_font.cpp"}},
       {"tiny_obj_loader", {"core/certify/obj_reader.cpp"}},
       {"assimp/", {"core/certify/scene_reader.cpp"}},
-      {"minizip/", {"core/certify/package_info.cpp"}}};
+      {"minizip/", {"core/certify/package_reader.cpp"}}};
   std::set<std::string> seen;
   for (const Include& include : includes())
     for (const auto& [library, files] : readers) {

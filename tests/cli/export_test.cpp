@@ -15,7 +15,7 @@ using test::text_of;
 
 class Export : public test::CommandLineTest {
  protected:
-  // Planar panels of the dome's dual, in metres.
+  // Planar panels of the dome's dual; in feet they are about a square metre each.
   std::string panels() const {
     const std::string file = path("panels.obj");
     const Ended made = run({"dual", sample("dome", 60), "-o", file, "--quiet"});
@@ -38,8 +38,8 @@ class Export : public test::CommandLineTest {
 };
 
 TEST_F(Export, AllFormatsAreWrittenAndCertified) {
-  const Ended ended = run({"export", panels(), "-o", path("out"), "--format", "all", "--unit", "m", "--sheet",
-                           "3210x6000", "--thickness", "20", "--gap", "8", "--density", "2500"});
+  const Ended ended = run({"export", panels(), "-o", path("out"), "--format", "all", "--unit", "ft",
+                           "--sheet", "3210x6000", "--thickness", "20", "--gap", "8", "--density", "2500"});
   ASSERT_EQ(ended.status, 0) << ended.err;
   const std::set<std::string> files = files_in("out");
   for (const char* name :
@@ -61,13 +61,12 @@ TEST_F(Export, AMeshNeedsAUnit) {
 }
 
 TEST_F(Export, UnitsGiveTheSameVerdicts) {
-  // The dome in metres, told to be in metres, and the same scaled to mm and inches.
-  const std::string metres = panels();
-  const std::string in_metres = text_of(metres);
+  // The same dome in feet, millimetres, inches and metres.
+  const std::string in_feet = text_of(panels());
   std::vector<std::string> verdicts;
   for (const auto& [unit, factor] :
-       std::vector<std::pair<std::string, double>>{{"m", 1.0}, {"mm", 1000.0}, {"in", 1000.0 / 25.4}}) {
-    std::istringstream lines(in_metres);
+       std::vector<std::pair<std::string, double>>{{"ft", 1.0}, {"mm", 304.8}, {"in", 12.0}, {"m", 0.3048}}) {
+    std::istringstream lines(in_feet);
     std::ofstream scaled(path(unit + ".obj"));
     scaled.precision(17);
     for (std::string line; std::getline(lines, line);) {
@@ -80,7 +79,7 @@ TEST_F(Export, UnitsGiveTheSameVerdicts) {
     scaled.close();
     const Ended ended =
         run({"export", path(unit + ".obj"), "-o", path("out-" + unit), "--format", "csv", "--unit", unit,
-             "--edge-min", "900", "--area-max", "3", "--interior-max", "125"});
+             "--edge-min", "400", "--area-max", "1.2", "--interior-max", "131"});
     ASSERT_EQ(ended.status, 1) << ended.err;
     std::smatch found;
     const std::regex line("tolerances .*");
@@ -89,18 +88,19 @@ TEST_F(Export, UnitsGiveTheSameVerdicts) {
   }
   EXPECT_EQ(verdicts[0], verdicts[1]);
   EXPECT_EQ(verdicts[0], verdicts[2]);
+  EXPECT_EQ(verdicts[0], verdicts[3]);
   EXPECT_EQ(verdicts[0].find(" 0 pass"), std::string::npos);
   EXPECT_EQ(verdicts[0].find(" 0 fail"), std::string::npos);
 }
 
 TEST_F(Export, RefusesOrMarksWhatFails) {
   const std::string file = panels();
-  const Ended refused = run({"export", file, "-o", path("out"), "--format", "dxf", "--unit", "m",
-                             "--edge-min", "900", "--on-failure", "refuse"});
-  expect_refusal(refused, 3, {"panels fail", "edge length", "below 900 mm"});
+  const Ended refused = run({"export", file, "-o", path("out"), "--format", "dxf", "--unit", "ft",
+                             "--edge-min", "540", "--on-failure", "refuse"});
+  expect_refusal(refused, 3, {"panels fail", "edge length", "below 540 mm"});
   EXPECT_FALSE(exists("out"));
   const Ended marked =
-      run({"export", file, "-o", path("out"), "--format", "dxf", "--unit", "m", "--edge-min", "900"});
+      run({"export", file, "-o", path("out"), "--format", "dxf", "--unit", "ft", "--edge-min", "540"});
   EXPECT_EQ(marked.status, 1) << marked.err;
   EXPECT_NE(text_of(folder_ / "out/parts.dxf").find("FAILS: "), std::string::npos);
 }
@@ -108,11 +108,11 @@ TEST_F(Export, RefusesOrMarksWhatFails) {
 TEST_F(Export, NothingIsOverwrittenUnasked) {
   const std::string file = panels();
   const std::vector<std::string> command{"export",  file,     "-o", path("out"), "--format",
-                                         "dxf,csv", "--unit", "m",  "--sheet",   "3210x6000"};
+                                         "dxf,csv", "--unit", "ft", "--sheet",   "3210x6000"};
   ASSERT_EQ(run(command).status, 0);
   const std::string before = text_of(folder_ / "out/panels.csv");
   folder_.write("out/panels.csv", "mine");
-  expect_refusal(run(command), 5, {"panels.csv", "--overwrite"});
+  expect_refusal(run(command), 5, {"sheets/sheet-01.dxf", "--overwrite"});
   EXPECT_EQ(text_of(folder_ / "out/panels.csv"), "mine");
   std::vector<std::string> again = command;
   again.push_back("--overwrite");
@@ -122,12 +122,13 @@ TEST_F(Export, NothingIsOverwrittenUnasked) {
 
 TEST_F(Export, OverwritingLeavesNoSheetsOfEarlierExports) {
   const std::string file = panels();
-  ASSERT_EQ(run({"export", file, "-o", path("out"), "--format", "svg", "--unit", "m", "--sheet", "3000x3000"})
-                .status,
-            0);
+  ASSERT_EQ(
+      run({"export", file, "-o", path("out"), "--format", "svg", "--unit", "ft", "--sheet", "1500x1500"})
+          .status,
+      0);
   const auto many = files_in("out");
   folder_.write("out/mine.txt", "");
-  ASSERT_EQ(run({"export", file, "-o", path("out"), "--format", "svg", "--unit", "m", "--sheet",
+  ASSERT_EQ(run({"export", file, "-o", path("out"), "--format", "svg", "--unit", "ft", "--sheet",
                  "12000x12000", "--overwrite"})
                 .status,
             0);
@@ -139,8 +140,8 @@ TEST_F(Export, OverwritingLeavesNoSheetsOfEarlierExports) {
 
 TEST_F(Export, NamesAreKeptFromAnEarlierSchedule) {
   const std::string file = panels();
-  ASSERT_EQ(run({"export", file, "-o", path("first"), "--format", "json", "--unit", "m"}).status, 0);
-  ASSERT_EQ(run({"export", file, "-o", path("plain"), "--format", "json", "--unit", "m", "--names", "plain",
+  ASSERT_EQ(run({"export", file, "-o", path("first"), "--format", "json", "--unit", "ft"}).status, 0);
+  ASSERT_EQ(run({"export", file, "-o", path("plain"), "--format", "json", "--unit", "ft", "--names", "plain",
                  "--keep-names", path("first/schedule.json")})
                 .status,
             0);
@@ -163,7 +164,7 @@ TEST_F(Export, AProjectBringsItsUnitAndItsPanels) {
     EXPECT_NEAR(project["panels"][k]["area_m2"].get<double>(), mesh["panels"][k]["area_m2"].get<double>(),
                 1e-12);
   expect_refusal(
-      run({"export", path("dome.planewright"), "-o", path("out"), "--format", "json", "--unit", "m"}), 2,
+      run({"export", path("dome.planewright"), "-o", path("out"), "--format", "json", "--unit", "ft"}), 2,
       {"its own unit, cm"});
   expect_refusal(
       run({"export", path("dome.planewright"), "-o", path("out"), "--format", "json", "--layer", "roof"}), 2,
@@ -174,7 +175,7 @@ TEST_F(Export, BadInputIsNamed) {
   const std::string file = panels();
   const auto refused = [&](const std::vector<std::string>& options, int status,
                            const std::vector<std::string>& saying) {
-    std::vector<std::string> command{"export", file, "-o", path("out"), "--unit", "m"};
+    std::vector<std::string> command{"export", file, "-o", path("out"), "--unit", "ft"};
     command.insert(command.end(), options.begin(), options.end());
     expect_refusal(run(command), status, saying);
     EXPECT_FALSE(exists("out"));
@@ -186,19 +187,19 @@ TEST_F(Export, BadInputIsNamed) {
   refused({"--format", "3mf"}, 2, {"3mf", "thickness"});
   refused({"--format", "dxf", "--edge-min", "20", "--edge-max", "10"}, 2, {"edge"});
   refused({"--format", "dxf", "--tolerances", path("missing.json")}, 3, {"missing.json"});
-  folder_.write("sheet.json", R"({"format": "planewright tolerances", "planarty": 1})");
+  folder_.write("sheet.json", R"({"format": "planewright tolerances", "version": 1, "planarty": 1})");
   refused({"--format", "dxf", "--tolerances", path("sheet.json")}, 3,
           {"sheet.json", "planarty", "planarity"});
-  expect_refusal(run({"export", file, "-o", path("no/out"), "--format", "dxf", "--unit", "m"}), 5,
+  expect_refusal(run({"export", file, "-o", path("no/out"), "--format", "dxf", "--unit", "ft"}), 5,
                  {"no/out"});
   folder_.write("a-file", "");
-  expect_refusal(run({"export", file, "-o", path("a-file"), "--format", "dxf", "--unit", "m"}), 5,
+  expect_refusal(run({"export", file, "-o", path("a-file"), "--format", "dxf", "--unit", "ft"}), 5,
                  {"a-file"});
 }
 
 TEST_F(Export, AFullDiskLeavesNothing) {
-  const Ended ended =
-      run({"export", panels(), "-o", path("out"), "--format", "all", "--unit", "m"}, "ulimit -f 8;");
+  const Ended ended = run({"export", panels(), "-o", path("out"), "--format", "all", "--unit", "ft"},
+                          "trap '' XFSZ; ulimit -f 8;");
   EXPECT_EQ(ended.status, 5) << ended.err;
   EXPECT_NE(ended.err.find("cannot be written"), std::string::npos) << ended.err;
   EXPECT_FALSE(exists("out"));
@@ -208,7 +209,7 @@ TEST_F(Export, AFullDiskLeavesNothing) {
 TEST_F(Export, APanelThatCrossesItselfIsNamed) {
   folder_.write("bow.obj",
                 "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 3 0 0\nv 4 0 0\nv 4 1 0\nf 1 2 3 4\nf 5 6 7\n");
-  const Ended refused = run({"export", path("bow.obj"), "-o", path("out"), "--format", "dxf", "--unit", "m",
+  const Ended refused = run({"export", path("bow.obj"), "-o", path("out"), "--format", "dxf", "--unit", "ft",
                              "--names", "plain", "--on-failure", "refuse"});
   expect_refusal(refused, 3, {"crosses itself"});
   const Ended marked = run({"export", path("bow.obj"), "-o", path("out"), "--format", "dxf,csv", "--unit",

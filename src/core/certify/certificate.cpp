@@ -10,6 +10,7 @@
 #include "core/certify/file_bytes.h"
 #include "core/certify/mesh_checks.h"
 #include "core/certify/obj_reader.h"
+#include "core/certify/package_reader.h"
 #include "core/certify/pdf_checks.h"
 #include "core/certify/ply_reader.h"
 #include "core/certify/scene_reader.h"
@@ -137,12 +138,15 @@ class Certifier {
       return;
     }
     const bool obj = *format == MeshFileFormat::Obj, ply = *format == MeshFileFormat::Ply;
-    certificate.reader = obj   ? obj_reader_name()
-                         : ply ? ply_reader_name()
-                               : scene_reader_name() + " (single precision)";
-    const auto read = obj   ? read_obj_file(path(exported))
-                      : ply ? read_ply_file(path(exported))
-                            : read_scene(path(exported));
+    const bool package = *format == MeshFileFormat::ThreeMf;
+    certificate.reader = obj       ? obj_reader_name()
+                         : ply     ? ply_reader_name()
+                         : package ? "minizip and libxml2 (single precision)"
+                                   : scene_reader_name() + " (single precision)";
+    const auto read = obj       ? read_obj_file(path(exported))
+                      : ply     ? read_ply_file(path(exported))
+                      : package ? read_package(path(exported))
+                                : read_scene(path(exported));
     if (!readable(read, certificate)) return;
     if (exported.kind == FileKind::PanelMesh) {
       append(check_panel_mesh(*read, *format, content_), certificate);

@@ -4,8 +4,8 @@
 //
 // Readers: DXF by dime and, because dime keeps coordinates in single precision, by group codes of our own
 // that dime has to agree with; SVG by libxml2, PDF by qpdf (its content streams), OBJ by tinyobjloader, PLY
-// and CSV by readers of our own, JSON by nlohmann, STL, 3MF and glTF by assimp (single precision). Units: mm.
-// Threads: pure.
+// and CSV by readers of our own, JSON by nlohmann, 3MF by minizip and libxml2, STL and glTF by assimp (single
+// precision). Units: mm. Threads: pure.
 #pragma once
 
 #include <filesystem>

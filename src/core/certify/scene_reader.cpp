@@ -6,7 +6,6 @@
 #include <assimp/Importer.hpp>
 
 #include "core/certify/file_bytes.h"
-#include "core/certify/package_info.h"
 
 namespace planewright {
 namespace {
@@ -72,24 +71,13 @@ Result<ReadMesh> read_scene(const std::filesystem::path& path) {
   if (const auto bytes = file_bytes(path); !bytes) return tl::unexpected(bytes.error());
   Assimp::Importer importer;
   const aiScene* scene = importer.ReadFile(path.string(), 0);
-  if (!scene || !scene->mRootNode || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE))
-    return fail(ErrorCode::Unreadable, scene ? "assimp finds it incomplete" : importer.GetErrorString(),
-                name);
+  // To assimp a scene without materials is incomplete; whether faces are missing the checks tell.
+  if (!scene || !scene->mRootNode) return fail(ErrorCode::Unreadable, importer.GetErrorString(), name);
   ReadMesh mesh = Collector(*scene).collect();
   if (mesh.faces.empty()) return fail(ErrorCode::Unreadable, "no faces", name);
   if (!mesh.points.allFinite()) return fail(ErrorCode::Unreadable, "a coordinate is not finite", name);
   const std::string ending = path.extension().string();
-  if (ending == ".3mf") {
-    const auto package = read_package(path);
-    if (!package) return tl::unexpected(package.error());
-    mesh.unit = package->unit;
-    // assimp calls an object by its id.
-    for (std::string& object : mesh.objects)
-      if (const std::string called = "Object_"; object.starts_with(called))
-        if (const auto named = package->names.find(object.substr(called.size()));
-            named != package->names.end())
-          object = named->second;
-  } else if (ending == ".gltf" || ending == ".glb") {
+  if (ending == ".gltf" || ending == ".glb") {
     mesh.unit = "metre";
   } else {
     mesh.objects.clear();  // STL names the file alone

@@ -22,7 +22,7 @@ std::vector<std::string> files_of_earlier_export(const fs::path& folder) {
   const auto text = read_file(folder / kCertificateJson);
   if (!text) return {};
   const auto json = nlohmann::json::parse(*text, nullptr, false);
-  if (!json.is_object() || !json.contains("tool") || json["tool"] != "planewright" ||
+  if (!json.is_object() || !json.contains("format") || json["format"] != "planewright certificate" ||
       !json.contains("files") || !json["files"].is_array())
     return {};
   std::vector<std::string> files;

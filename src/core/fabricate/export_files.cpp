@@ -15,9 +15,9 @@ std::string drawing_name(const ExportPreparation& prepared, int drawing, const c
   if (!prepared.nesting) return std::string("parts.") + ending;
   const int sheets = static_cast<int>(prepared.drawings.size());
   const int digits = std::max(2, static_cast<int>(std::to_string(sheets).size()));
-  char name[64];
-  std::snprintf(name, sizeof name, "sheets/sheet-%0*d.%s", digits, drawing + 1, ending);
-  return name;
+  std::string number = std::to_string(drawing + 1);
+  number.insert(0, static_cast<std::size_t>(digits) - number.size(), '0');
+  return "sheets/sheet-" + number + "." + ending;
 }
 
 struct MeshFile {

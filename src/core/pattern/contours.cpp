@@ -76,6 +76,18 @@ bool contains(const Contour& outer, const Contour& inner, double slack) {
   return true;
 }
 
+// Where sides of both contours lie on one line, rounding to the grid leaves corners a few steps apart, and
+// both become the same corner of one of them.
+Contour without_repeats(const Contour& contour) {
+  Contour kept(contour.rows(), 2);
+  Eigen::Index count = 0;
+  for (Eigen::Index k = 0; k < contour.rows(); ++k) {
+    const Eigen::Index before = (k + contour.rows() - 1) % contour.rows();
+    if ((contour.row(k) - contour.row(before)).norm() > 4 * kGrid) kept.row(count++) = contour.row(k);
+  }
+  return kept.topRows(count);
+}
+
 Contour united(const Contour& a, const Contour& b) {
   constexpr double kSame = 1e-9;  // mm
   if (contains(a, b, kSame)) return a;
@@ -98,7 +110,7 @@ Contour united(const Contour& a, const Contour& b) {
       for (Eigen::Index j = 0; j < own->rows(); ++j)
         if ((own->row(j) - result.row(row)).norm() < 2 * kGrid) result.row(row) = own->row(j);
   }
-  return result;
+  return without_repeats(result);
 }
 
 DeepestPoint deepest_point(const std::vector<const Contour*>& contours) {

@@ -6,6 +6,7 @@
 
 #include "core/writers/clean_text.h"
 #include "core/writers/solid_parts.h"
+#include "core/writers/zip_sizes.h"
 
 namespace planewright {
 namespace {
@@ -107,7 +108,7 @@ Result<std::string> format_3mf(const SolidScene& scene) {
   if (NMR::lib3mf_writer_writetocallback(writer.get(), reinterpret_cast<void*>(&write_bytes),
                                          reinterpret_cast<void*>(&seek_to), &buffer) != 0)
     return failed(writer, "3MF");
-  return std::move(buffer.bytes);
+  return with_plain_sizes(std::move(buffer.bytes));
 }
 
 }  // namespace planewright

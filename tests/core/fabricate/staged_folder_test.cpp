@@ -113,15 +113,15 @@ TEST(EarlierExport, OnlyFilesBelowTheFolderThatAreThereCount) {
   folder.write("out/a.dxf", "");
   folder.write(
       "out/certificate.json",
-      R"({"tool":"planewright","files":[{"file":"a.dxf"},{"file":"gone.dxf"},{"file":"../outside.dxf"},{"file":7}]})");
+      R"({"format":"planewright certificate","files":[{"file":"a.dxf"},{"file":"gone.dxf"},{"file":"../outside.dxf"},{"file":7}]})");
   EXPECT_EQ(files_of_earlier_export(folder / "out"), (std::vector<std::string>{"a.dxf", "certificate.json"}));
 }
 
 TEST(EarlierExport, CertificatesOfOthersCountForNothing) {
   const test::TemporaryFolder folder;
   folder.write("a.dxf", "");
-  for (const char* text : {R"({"tool":"other","files":[{"file":"a.dxf"}]})", R"({"tool":7,"files":[]})",
-                           "[1]", "{", R"({"tool":"planewright","files":7})"}) {
+  for (const char* text : {R"({"format":"other","files":[{"file":"a.dxf"}]})", R"({"format":7,"files":[]})",
+                           "[1]", "{", R"({"format":"planewright certificate","files":7})"}) {
     folder.write("certificate.json", text);
     EXPECT_TRUE(files_of_earlier_export(folder.path()).empty()) << text;
   }
