@@ -219,5 +219,16 @@ TEST_F(Export, APanelThatCrossesItselfIsNamed) {
   EXPECT_NE(text_of(folder_ / "out/panels.csv").find("cross"), std::string::npos);
 }
 
+TEST_F(Export, APanelWithoutSolidIsLeftOutOfSolidsAndTheRestIsCertified) {
+  // Counted from 1 the first panel has no solid, so that numbers in files do not begin at 0.
+  folder_.write("bow.obj",
+                "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nv 3 0 0\nv 4 0 0\nv 4 1 0\nf 1 2 3 4\nf 5 6 7\n");
+  const Ended ended = run({"export", path("bow.obj"), "-o", path("out"), "--format", "obj,ply,stl,3mf,gltf",
+                           "--unit", "m", "--thickness", "20"});
+  EXPECT_EQ(ended.status, 1);
+  for (const auto& file : json("out/certificate.json")["files"])
+    EXPECT_EQ(file["pass"], true) << file.dump(1);
+}
+
 }  // namespace
 }  // namespace planewright

@@ -114,9 +114,16 @@ MeshObjects objects_by_name(const ReadMesh& mesh, const std::vector<int>& wanted
   for (const int p : wanted) panel_of[model.names[static_cast<size_t>(p)]] = p;
   std::vector<std::string> wrong;
   std::vector<int> panel_of_object;
-  for (const std::string& name : mesh.objects) {
+  std::vector<bool> has_faces(mesh.objects.size(), false);
+  for (const int object : mesh.object_of_face)
+    if (object >= 0 && object < static_cast<int>(has_faces.size()))
+      has_faces[static_cast<size_t>(object)] = true;
+  for (size_t k = 0; k < mesh.objects.size(); ++k) {
+    const std::string& name = mesh.objects[k];
     const auto found = panel_of.find(name);
     panel_of_object.push_back(found == panel_of.end() ? -1 : found->second);
+    // PLY numbers panels; a number that the file leaves out is no object.
+    if (name.empty() && !has_faces[k]) continue;
     if (found == panel_of.end())
       wrong.push_back("'" + name + "' is no panel here");
     else
