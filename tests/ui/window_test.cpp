@@ -189,7 +189,7 @@ TEST_F(WindowTest, FlipsAnEdgeByAClickAndTakesItBack) {
 
 TEST_F(WindowTest, StopsInTheMiddle) {
   const Playback run = play(R"(
-    sample torus 6000
+    sample torus 20000
     wait_loaded 20
     wait_iterates 1 100
     expect solving == 1
