@@ -53,6 +53,16 @@ TEST_F(Export, AllFormatsAreWrittenAndCertified) {
   EXPECT_TRUE(hidden_files().empty());
 }
 
+// On one page at 1:500 names are wider than narrow panels: a name is where its middle is, not where it
+// begins.
+TEST_F(Export, WithoutSheetsALargeRoofFitsOnePageAndIsCertified) {
+  const std::string roof = std::string(PLANEWRIGHT_SOURCE_DIR) + "/assets/train-station.obj";
+  ASSERT_EQ(run({"dual", roof, "-o", path("roof.obj"), "--quiet"}).status, 0);
+  const Ended ended = run({"export", path("roof.obj"), "-o", path("out"), "--format", "pdf", "--unit", "m"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  EXPECT_EQ(json("out/certificate.json")["pass"], true) << ended.err;
+}
+
 TEST_F(Export, AMeshNeedsAUnit) {
   expect_refusal(run({"export", panels(), "-o", path("out"), "--format", "dxf"}), 2, {"--unit mm"});
   expect_refusal(run({"export", panels(), "-o", path("out"), "--format", "dxf", "--unit", "ell"}), 2,

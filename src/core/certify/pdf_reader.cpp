@@ -215,11 +215,15 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
     if (!string.isString()) throw Unfollowed{"a text that is no string"};
     const TextState& t = state_.text;
     for (const PdfFont::Glyph& glyph : t.font.glyphs(string.getStringValue())) {
-      if (shown_.text.empty()) shown_.at = state_.to_page * (at_ * Vector2d(0.0, t.rise));
+      if (shown_.text.empty()) begins_ = state_.to_page * (at_ * Vector2d(0.0, t.rise));
       shown_.text += glyph.text;
       double step = glyph.width * t.size + t.spacing;
       if (glyph.text == " ") step += t.word_spacing;
       at_.translate(Vector2d(step * t.stretch, 0.0));
+      // Capitals are about 0.7 of the font's size high; the middle is half of that above the baseline.
+      const Vector2d ends = state_.to_page * (at_ * Vector2d(0.0, t.rise));
+      const Vector2d up = state_.to_page.linear() * (at_.linear() * Vector2d(0.0, 0.35 * t.size));
+      shown_.at = 0.5 * (begins_ + ends) + up;
     }
   }
   void end_text() {
@@ -256,6 +260,7 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
   std::vector<Piece> pieces_;
   Affine2d line_ = Affine2d::Identity(), at_ = Affine2d::Identity();
   ReadText shown_;
+  Vector2d begins_ = Vector2d::Zero();  // of the text that is being shown, on the page
   std::map<std::string, PdfFont> fonts_;
 };
 

@@ -15,7 +15,7 @@ struct ReadPage {
   double width = 0.0, height = 0.0;  // mm, of the media box
   // Straight pieces of paths that are painted; layer and panel empty. y up, (0, 0) the lower left corner.
   std::vector<ReadLine> lines;
-  std::vector<ReadText> texts;  // by the fonts' ToUnicode maps, else as Latin-1; `at` on the baseline
+  std::vector<ReadText> texts;  // by the fonts' ToUnicode maps, else as Latin-1; `at` is the middle
 };
 
 std::string pdf_reader_name();
