@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,12 +14,10 @@
 #include "core/diagnose/panel_shape.h"
 #include "core/diagnose/planarity.h"
 #include "core/mesh/closest_point.h"
-#include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
 #include "core/solve/solver_choice.h"
 #include "measurement.h"
-#include "models.h"
-#include "table.h"
+#include "mesh_runs.h"
 #include "value_of.h"
 
 namespace planewright::bench {
@@ -35,22 +31,9 @@ constexpr double kGoalLiveMs = 100.0;  // 10,000 triangles, one region more or f
 constexpr double kPlanar = 1e-9, kFar = 2.0, kRatio = 1.1;
 
 struct ClusterBenchOptions {
-  std::string meshes;
+  MeshRunOptions run;
   std::vector<std::string> solvers{"tangent"};
-  int repeat = 5;
 };
-
-// Least CPU time of so many runs, ms.
-double best_ms(int repeat, const std::function<void()>& work) {
-  double best = 0.0;
-  for (int k = 0; k < repeat; ++k) {
-    const double begun = cpu_seconds();
-    work();
-    const double ms = 1e3 * (cpu_seconds() - begun);
-    best = k == 0 ? ms : std::min(best, ms);
-  }
-  return best;
-}
 
 // goal: ms, 0 for none.
 void print_row(const char* what, int panels, double ms, double goal, const std::string& result) {
@@ -139,7 +122,7 @@ void solve_mesh(const std::string& name, const PolygonMesh& mesh, const ClusterB
       if (panels < mesh.face_count()) solve_panels(mesh, panels, value_of(find_solver(solver)));
 }
 
-void measure_panels(const ClusterBenchOptions& options, const std::filesystem::path& meshes) {
+void measure_panels(const ClusterBenchOptions& options) {
   std::printf(
       "Panels solved with the preset 'proxy-planes'.\n"
       "  planar   worst corner off its plane, of the diagonal (<= %g)\n"
@@ -152,36 +135,27 @@ void measure_panels(const ClusterBenchOptions& options, const std::filesystem::p
       "  %4s %4s %-8s %8s  %-22s %9s %6s %8s %6s %6s %7s %7s\n",
       kPlanar, kFar, kRatio, "K", "of", "solver", "CPU s", "", "planar", "far", "rms", "ratio", "least",
       "crossed", "valence");
-  for (const char* file : {"tri/bunny1k.obj", "tri/fertility.off", "tri/feline.obj"}) {
-    std::error_code error;
-    if (meshes.empty() || !std::filesystem::is_regular_file(meshes / file, error))
-      print_skipped(file, "it is not there; name its folder with --meshes");
-    else
-      solve_mesh(file, value_of(load_mesh((meshes / file).string())).mesh, options);
-  }
+  for_each_mesh(options.run, {"tri/bunny1k.obj", "tri/fertility.off", "tri/feline.obj"},
+                [&](const std::string& file, const PolygonMesh& mesh) { solve_mesh(file, mesh, options); });
   for (const char* sample : {"alpine-hut", "train-station"})
     solve_mesh(sample, value_of(make_sample(sample)), options);
 }
 
 void measure_cluster(const ClusterBenchOptions& options) {
-  const std::filesystem::path meshes = meshes_folder(options.meshes);
   std::printf(
       "Clustering by the default metric and seeds, teleports included. CPU ms, best of %d; one more, one "
       "fewer:\n"
       "from the clustering before, as a slider's step. Goals: 100,000 triangles into 1,000 regions within %g "
       "s;\n"
       "10,000 triangles, one region more or fewer, within %g ms.\n\n  %-14s %6s %10s\n",
-      options.repeat, kGoalSeconds, kGoalLiveMs, "", "K", "CPU ms");
-  measure_mesh("torus", make_torus(200, 250), {1000}, options.repeat);
-  measure_mesh("torus", make_torus(50, 100), {50, 200, 500}, options.repeat);
-  for (const char* file : {"tri/feline.obj", "tri/fertility.off", "tri/bunny1k.obj"}) {
-    std::error_code error;
-    if (meshes.empty() || !std::filesystem::is_regular_file(meshes / file, error))
-      print_skipped(file, "it is not there; name its folder with --meshes");
-    else
-      measure_mesh(file, value_of(load_mesh((meshes / file).string())).mesh, {50, 200, 500}, options.repeat);
-  }
-  measure_panels(options, meshes);
+      options.run.repeat, kGoalSeconds, kGoalLiveMs, "", "K", "CPU ms");
+  measure_mesh("torus", make_torus(200, 250), {1000}, options.run.repeat);
+  measure_mesh("torus", make_torus(50, 100), {50, 200, 500}, options.run.repeat);
+  for_each_mesh(options.run, {"tri/feline.obj", "tri/fertility.off", "tri/bunny1k.obj"},
+                [&](const std::string& file, const PolygonMesh& mesh) {
+                  measure_mesh(file, mesh, {50, 200, 500}, options.run.repeat);
+                });
+  measure_panels(options);
 }
 
 }  // namespace
@@ -190,12 +164,7 @@ void declare_cluster(CLI::App& app) {
   auto options = std::make_shared<ClusterBenchOptions>();
   CLI::App* command =
       app.add_subcommand("cluster", "Time of clustering into regions, anew and as K changes by one");
-  command->add_option(
-      "--meshes", options->meshes,
-      "Folder of the real meshes (default: $PLANEWRIGHT_MESHES, else shared/meshes near the source)");
-  command->add_option("--repeat", options->repeat, "Measure each so often; the least CPU time counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  declare_mesh_run(*command, options->run);
   command->add_option("--solver", options->solvers, "Solvers of the panels: tangent, ipopt, auto")
       ->delimiter(',')
       ->capture_default_str();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,12 +19,10 @@
 #include "core/diagnose/reversed_edges.h"
 #include "core/diagnose/self_crossing_panels.h"
 #include "core/diagnose/twisted_beams.h"
-#include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
 #include "core/solve/solver_choice.h"
 #include "measurement.h"
-#include "models.h"
-#include "table.h"
+#include "mesh_runs.h"
 #include "value_of.h"
 
 namespace planewright::bench {
@@ -33,23 +30,6 @@ namespace {
 
 constexpr double kGoalMs = 100.0;
 constexpr int kGoalPanels = 10000;
-
-struct FindingsOptions {
-  std::string meshes;
-  int repeat = 5;
-};
-
-// Least CPU time of so many runs, ms.
-double best_ms(int repeat, const std::function<void()>& work) {
-  double best = 0.0;
-  for (int k = 0; k < repeat; ++k) {
-    const double begun = cpu_seconds();
-    work();
-    const double ms = 1e3 * (cpu_seconds() - begun);
-    best = k == 0 ? ms : std::min(best, ms);
-  }
-  return best;
-}
 
 struct Detector {
   FindingKind kind;
@@ -103,36 +83,27 @@ void measure(const std::string& name, const PolygonMesh& mesh, int repeat) {
   std::fflush(stdout);
 }
 
-void measure_findings(const FindingsOptions& options) {
-  const std::filesystem::path meshes = meshes_folder(options.meshes);
+void measure_findings(const MeshRunOptions& options) {
   std::printf(
       "Panels solved for their wanted positions, thresholds by default, beams to the wanted places. CPU ms,\n"
       "best of %d; folded-over and crossing-panels are one search, shown for each alone. Goal: all within\n"
       "%g ms at %d panels.\n\n  %-18s %8s %8s\n",
       options.repeat, kGoalMs, kGoalPanels, "", "CPU ms", "found");
   measure("torus", make_torus(100, 100), options.repeat);
-  for (const char* file : {"tri/bunny1k.obj", "tri/train-station.off", "tri/aqua-center.off", "tri/torus.off",
-                           "quad/fertility_quad.off"}) {
-    std::error_code error;
-    if (meshes.empty() || !std::filesystem::is_regular_file(meshes / file, error))
-      print_skipped(file, "it is not there; name its folder with --meshes");
-    else
-      measure(file, value_of(load_mesh((meshes / file).string())).mesh, options.repeat);
-  }
+  for_each_mesh(
+      options,
+      {"tri/bunny1k.obj", "tri/train-station.off", "tri/aqua-center.off", "tri/torus.off",
+       "quad/fertility_quad.off"},
+      [&](const std::string& file, const PolygonMesh& mesh) { measure(file, mesh, options.repeat); });
 }
 
 }  // namespace
 
 void declare_findings(CLI::App& app) {
-  auto options = std::make_shared<FindingsOptions>();
+  auto options = std::make_shared<MeshRunOptions>();
   CLI::App* command =
       app.add_subcommand("findings", "Time and number of the findings, on the torus and real meshes");
-  command->add_option(
-      "--meshes", options->meshes,
-      "Folder of the real meshes (default: $PLANEWRIGHT_MESHES, else shared/meshes near the source)");
-  command->add_option("--repeat", options->repeat, "Measure each so often; the least CPU time counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  declare_mesh_run(*command, *options);
   command->callback([options] { measure_findings(*options); });
 }
 

@@ -13,12 +13,10 @@
 #include "core/design/design.h"
 #include "core/design/layer_solve.h"
 #include "core/fabricate/export_run.h"
-#include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
 #include "core/solve/solver_choice.h"
 #include "measurement.h"
-#include "models.h"
-#include "table.h"
+#include "mesh_runs.h"
 #include "value_of.h"
 
 namespace planewright::bench {
@@ -29,11 +27,6 @@ constexpr int kGoalPanels = 1000;      // and more
 constexpr double kPanelSize = 1000.0;  // mm, mean edge that every model is brought to
 constexpr double kThickness = 20.0;    // mm
 constexpr double kGap = 8.0;           // mm
-
-struct WorkshopBench {
-  std::string meshes;
-  int repeat = 5;
-};
 
 // CPU seconds of one export, by stage.
 struct Stages {
@@ -102,8 +95,7 @@ void measure(const std::string& name, const PolygonMesh& mesh, int repeat) {
   std::fflush(stdout);
 }
 
-void measure_workshop(const WorkshopBench& options) {
-  const std::filesystem::path meshes = meshes_folder(options.meshes);
+void measure_workshop(const MeshRunOptions& options) {
   std::printf(
       "Duals with a mean edge of %g mm, %g mm thick, gap %g mm, sheets of 3210 x 6000 mm, all formats, read "
       "back and\n"
@@ -112,27 +104,18 @@ void measure_workshop(const WorkshopBench& options) {
       kPanelSize, kThickness, kGap, options.repeat, kGoalSeconds, kGoalPanels, "", "panels", "names",
       "prepare", "write", "total", "goal", "sheets", "filled", "files");
   measure("dome", value_of(make_sample("dome", 1000)), options.repeat);
-  for (const char* file : {"tri/train-station.off", "tri/bunny1k.obj"}) {
-    std::error_code error;
-    if (meshes.empty() || !std::filesystem::is_regular_file(meshes / file, error))
-      print_skipped(file, "it is not there; name its folder with --meshes");
-    else
-      measure(file, value_of(load_mesh((meshes / file).string())).mesh, options.repeat);
-  }
+  for_each_mesh(
+      options, {"tri/train-station.off", "tri/bunny1k.obj"},
+      [&](const std::string& file, const PolygonMesh& mesh) { measure(file, mesh, options.repeat); });
 }
 
 }  // namespace
 
 void declare_workshop(CLI::App& app) {
-  auto options = std::make_shared<WorkshopBench>();
+  auto options = std::make_shared<MeshRunOptions>();
   CLI::App* command =
       app.add_subcommand("workshop", "CPU time of an export in all formats, certificate included");
-  command->add_option(
-      "--meshes", options->meshes,
-      "Folder of the real meshes (default: $PLANEWRIGHT_MESHES, else shared/meshes near the source)");
-  command->add_option("--repeat", options->repeat, "Measure each so often; the least CPU time counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
+  declare_mesh_run(*command, *options);
   command->callback([options] { measure_workshop(*options); });
 }
 
