@@ -21,7 +21,7 @@ Edit Ui::count(std::string_view name, std::string_view label, int& value, const 
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float available = ImGui::GetContentRegionAvail().x;
   const float text_height = px(22), track_height = px(15), height = text_height + track_height + px(3);
-  const float knob = px(6), number_width = px(72);
+  const float knob = knob_radius(), number_width = px(72);
   const ImVec2 number_min(origin.x + available - number_width, origin.y),
       number_max(origin.x + available, origin.y + text_height);
   const ImVec2 track_min(origin.x, origin.y + height - track_height),
@@ -53,15 +53,8 @@ Edit Ui::count(std::string_view name, std::string_view label, int& value, const 
     value = count_at(static_cast<double>((io.MousePos.x - left) / (right - left)), look.least, look.most);
   }
   if (ImGui::IsItemDeactivated()) edit.finished = true;
-  if (hovered) {
-    ImGui::SetItemUsingMouseWheel();
-    if (io.MouseWheel != 0) {
-      value = count_step(value, static_cast<double>(io.MouseWheel), look.least, look.most);
-      wheel_id_ = id;
-      wheel_time_ = ImGui::GetTime();
-    }
-  }
-  finish_wheel(id, hovered, edit);
+  if (const double notches = wheel_notches(id, hovered, edit); notches != 0)
+    value = count_step(value, notches, look.least, look.most);
 
   // The number: a click types, and what is typed may lie outside the slider's range.
   if (typing(id)) {
@@ -88,12 +81,8 @@ Edit Ui::count(std::string_view name, std::string_view label, int& value, const 
   ImGui::PopID();
   edit.changed = value != before;
 
-  const float y = std::round(0.5f * (track_min.y + track_max.y)), x = knob_at(), half = px(1);
-  draw.AddRectFilled(ImVec2(left, y - half), ImVec2(right, y + half), p.line, px(2));
-  draw.AddRectFilled(ImVec2(left, y - half), ImVec2(x, y + half), held ? p.accent : p.ink_soft, px(2));
-  draw.AddCircleFilled(ImVec2(x, y + px(1)), knob, p.shadow, 20);
-  draw.AddCircleFilled(ImVec2(x, y), knob, held ? p.accent : p.raised, 20);
-  draw.AddCircle(ImVec2(x, y), knob, held || hovered ? p.accent : p.ink_soft, 20);
+  draw_slider(left, right, std::round(0.5f * (track_min.y + track_max.y)), knob_at(), true, held,
+              held || hovered ? p.accent : p.ink_soft);
   ImGui::SetCursorScreenPos(origin);
   ImGui::Dummy(ImVec2(available, height));
   return edit;

@@ -75,12 +75,33 @@ bool Ui::typing_field(const char* id_text, ImVec2 position, float width, double&
   return true;
 }
 
-void Ui::finish_wheel(ImGuiID id, bool hovered, Edit& edit) {
-  if (wheel_id_ != id) return;
-  if (!hovered || ImGui::GetTime() - wheel_time_ > kWheelPause) {
+double Ui::wheel_notches(ImGuiID id, bool hovered, Edit& edit) {
+  double notches = 0.0;
+  if (hovered) {
+    ImGui::SetItemUsingMouseWheel();
+    notches = static_cast<double>(ImGui::GetIO().MouseWheel);
+    if (notches != 0) {
+      wheel_id_ = id;
+      wheel_time_ = ImGui::GetTime();
+    }
+  }
+  if (wheel_id_ == id && (!hovered || ImGui::GetTime() - wheel_time_ > kWheelPause)) {
     wheel_id_ = 0;
     edit.finished = true;
   }
+  return notches;
+}
+
+void Ui::draw_slider(float left, float right, float y, float at, bool filled, bool held, ImU32 rim) const {
+  const Palette& p = colours();
+  ImDrawList& draw = *ImGui::GetWindowDrawList();
+  const float half = px(1);
+  draw.AddRectFilled(ImVec2(left, y - half), ImVec2(right, y + half), p.line, px(2));
+  if (filled)
+    draw.AddRectFilled(ImVec2(left, y - half), ImVec2(at, y + half), held ? p.accent : p.ink_soft, px(2));
+  draw.AddCircleFilled(ImVec2(at, y + px(1)), knob_radius(), p.shadow, 20);
+  draw.AddCircleFilled(ImVec2(at, y), knob_radius(), held ? p.accent : p.raised, 20);
+  draw.AddCircle(ImVec2(at, y), knob_radius(), rim, 20);
 }
 
 Edit Ui::length(std::string_view name, std::string_view label, double& value, double per_pixel,
@@ -141,16 +162,9 @@ Edit Ui::quantity(std::string_view name, double& value, const QuantityLook& look
     value = kept(rounded == 0 ? 0.0 : rounded);  // no -0
   }
   if (ImGui::IsItemDeactivated()) edit.finished = true;
-  if (hovered) {
-    ImGui::SetItemUsingMouseWheel();
-    if (io.MouseWheel != 0) {
-      value = kept((unlimited ? 0.0 : value) + static_cast<double>(io.MouseWheel) * 5 * look.per_pixel);
-      wheel_id_ = id;
-      wheel_time_ = ImGui::GetTime();
-    }
-  }
+  if (const double notches = wheel_notches(id, hovered, edit); notches != 0)
+    value = kept((unlimited ? 0.0 : value) + notches * 5 * look.per_pixel);
   edit.changed = value != before;
-  finish_wheel(id, hovered, edit);
   ImGui::PopID();
 
   const Palette& p = colours();
@@ -178,7 +192,7 @@ Edit Ui::weight(std::string_view name, std::string_view label, double& value, co
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const float available = ImGui::GetContentRegionAvail().x;
   const float text_height = px(19), track_height = px(13), height = px(32);
-  const float knob = px(5), number_width = px(48), reset_width = px(18);
+  const float knob = knob_radius(), number_width = px(48), reset_width = px(18);
   const float column = available - weight_share_width() - px(10);
   const float text_bottom = origin.y + text_height;
   const ImVec2 number_min(origin.x + column - number_width, origin.y),
@@ -236,15 +250,8 @@ Edit Ui::weight(std::string_view name, std::string_view label, double& value, co
     value = weight_at(static_cast<double>((io.MousePos.x - left) / (right - left)));
   }
   if (ImGui::IsItemDeactivated()) edit.finished = true;
-  if (hovered) {
-    ImGui::SetItemUsingMouseWheel();
-    if (io.MouseWheel != 0) {
-      value = weight_step(value, static_cast<double>(io.MouseWheel));
-      wheel_id_ = id;
-      wheel_time_ = ImGui::GetTime();
-    }
-  }
-  finish_wheel(id, hovered, edit);
+  if (const double notches = wheel_notches(id, hovered, edit); notches != 0)
+    value = weight_step(value, notches);
 
   // The number: a click types.
   if (typing(id)) {
@@ -271,19 +278,11 @@ Edit Ui::weight(std::string_view name, std::string_view label, double& value, co
 
   const float y = std::round(0.5f * (track_min.y + track_max.y));
   const float x = left + static_cast<float>(fraction_of_weight(value)) * (right - left);
-  const float thickness = px(2);
-  draw.AddRectFilled(ImVec2(left, y - 0.5f * thickness), ImVec2(right, y + 0.5f * thickness), p.line,
-                     thickness);
   // A tick where 1 stands, the weight that means the same on every model.
   const float one = std::round(left + static_cast<float>(fraction_of_weight(1.0)) * (right - left));
   draw.AddRectFilled(ImVec2(one, y - px(3)), ImVec2(one + 1, y + px(3)), p.line);
-  if (value > 0) {
-    draw.AddRectFilled(ImVec2(left, y - 0.5f * thickness), ImVec2(x, y + 0.5f * thickness),
-                       held ? p.accent : p.ink_soft, thickness);
-  }
-  draw.AddCircleFilled(ImVec2(x, y + px(1)), knob, p.shadow, 20);
-  draw.AddCircleFilled(ImVec2(x, y), knob, held ? p.accent : p.raised, 20);
-  draw.AddCircle(ImVec2(x, y), knob, held || hovered ? p.accent : value > 0 ? p.ink_soft : p.ink_faint, 20);
+  draw_slider(left, right, y, x, value > 0, held,
+              held || hovered ? p.accent : value > 0 ? p.ink_soft : p.ink_faint);
 
   // What it adds to the objective, over the bar of its share.
   const ImVec2 share_min(origin.x + available - weight_share_width(), origin.y),

@@ -162,7 +162,12 @@ class Ui {
   bool typing_field(const char* id_text, ImVec2 position, float width, double& value, bool& changed,
                     double none = 0.0);
   void draw_help(ImVec2 middle, bool hovered) const;
-  void finish_wheel(ImGuiID id, bool hovered, Edit& edit);
+  // The wheel's notches over an item, mostly 0. A pause after them, or the mouse going away, finishes the
+  // edit.
+  double wheel_notches(ImGuiID id, bool hovered, Edit& edit);
+  // A line from `left` to `right` at height y, as far as `at` filled, and the knob there.
+  void draw_slider(float left, float right, float y, float at, bool filled, bool held, ImU32 rim) const;
+  float knob_radius() const { return px(5); }
 
   const Theme& theme_;
   std::map<std::string, UiRecord, std::less<>> records_;
