@@ -11,6 +11,7 @@
 #include "cli/interrupt_watch.h"
 #include "cli/project_input.h"
 #include "core/base/atomic_file.h"
+#include "core/design/reference_file.h"
 #include "core/edit/project_panels.h"
 #include "core/mesh/mesh_io.h"
 #include "core/writers/schedule_writers.h"
@@ -22,6 +23,7 @@ namespace {
 struct ExportInput {
   Points points;
   Polygons panels;
+  std::shared_ptr<const ReferenceSurface> surface;  // that they were made for; null: not known
   WorkshopContract contract;
   WorkshopOptions naming;  // title, numbers, kept names
 };
@@ -60,6 +62,12 @@ Result<ExportInput> read_project_panels(const ExportOptions& options) {
   ExportInput input;
   input.points = std::move(solved->panels.points);
   input.panels = std::move(solved->panels.polygons);
+  const PolygonMesh& mesh = project->mesh;
+  auto surface = project->design.reference.empty()
+                     ? ReferenceSurface::create(mesh.positions(), mesh.faces(), project->name)
+                     : load_reference(project->design.reference, mesh);
+  if (!surface) return tl::unexpected(surface.error());
+  input.surface = std::move(*surface);
   input.contract = project->contract;
   input.naming.title = project->name.empty() ? std::filesystem::path(options.input).stem().string()
                                              : std::filesystem::path(project->name).stem().string();
@@ -68,11 +76,18 @@ Result<ExportInput> read_project_panels(const ExportOptions& options) {
   return input;
 }
 
-Result<std::shared_ptr<const ReferenceSurface>> read_reference(const std::string& path) {
-  if (path.empty()) return std::shared_ptr<const ReferenceSurface>();
-  auto checked = load_mesh(path);
-  if (!checked) return tl::unexpected(checked.error());
-  return ReferenceSurface::create(checked->mesh.positions(), checked->mesh.faces(), path);
+// The surface that distances are measured from. Fails as load_reference() does; ErrorCode::Usage: a limit on
+// distances, and no surface.
+Result<std::shared_ptr<const ReferenceSurface>> reference_of(const ExportOptions& options,
+                                                             const ExportInput& input,
+                                                             const ToleranceSheet& sheet) {
+  if (!options.reference.empty())
+    return load_reference(options.reference, input.points.colwise().minCoeff(),
+                          input.points.colwise().maxCoeff());
+  if (sheet.distance && !input.surface)
+    return fail(ErrorCode::Usage, "there is no surface to measure the distance from", "--distance",
+                "Name one with --reference");
+  return input.surface;
 }
 
 ExportProgress progress_on_stderr(bool quiet) {
@@ -107,7 +122,7 @@ Result<ExitStatus> run(const ExportOptions& options) {
     if (!kept) return tl::unexpected(kept.error());
     naming.kept_names = std::move(*kept);
   }
-  const auto reference = read_reference(options.reference);
+  const auto reference = reference_of(options, *input, contract->tolerances);
   if (!reference) return tl::unexpected(reference.error());
   const auto model = make_workshop_model(input->points, input->panels, naming);
   if (!model) return tl::unexpected(model.error());

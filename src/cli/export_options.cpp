@@ -167,10 +167,6 @@ Result<WorkshopContract> contract_of(const ExportOptions& options, WorkshopContr
                               check_order(sheet.interior_min, sheet.interior_max, "interior"),
                               check_order(sheet.dihedral_min, sheet.dihedral_max, "dihedral")})
     if (!checked) return tl::unexpected(checked.error());
-  if (sheet.distance && options.reference.empty() && options.distance)
-    return fail(ErrorCode::Usage, "there is no surface to measure the distance from", "--distance",
-                "Name one with --reference");
-
   if (options.sheet == "none") {
     sheet.stock.reset();
   } else if (!options.sheet.empty()) {

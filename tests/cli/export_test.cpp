@@ -181,6 +181,27 @@ TEST_F(Export, AProjectBringsItsUnitAndItsPanels) {
       {"roof"});
 }
 
+TEST_F(Export, DistancesAreMeasuredFromASurfaceOrNotAtAll) {
+  const std::string mesh = sample("dome", 60);
+  ASSERT_EQ(run({"dual", mesh, "-o", path("panels.obj"), "--project", path("dome.planewright"), "--unit",
+                 "ft", "--quiet"})
+                .status,
+            0);
+  folder_.write("sheet.json", R"({"format": "planewright tolerances", "version": 1, "distance_mm": 5})");
+  expect_refusal(run({"export", path("panels.obj"), "-o", path("out"), "--format", "csv", "--unit", "ft",
+                      "--tolerances", path("sheet.json")}),
+                 2, {"--distance", "--reference"});
+  EXPECT_FALSE(exists("out"));
+  const Ended named = run({"export", path("panels.obj"), "-o", path("out"), "--format", "csv", "--unit", "ft",
+                           "--tolerances", path("sheet.json"), "--reference", mesh});
+  EXPECT_EQ(named.status, 1) << named.err;
+  EXPECT_NE(named.err.find("distance"), std::string::npos) << named.err;
+  // A project knows the surface that its panels were made for.
+  const Ended known = run({"export", path("dome.planewright"), "-o", path("known"), "--format", "csv",
+                           "--tolerances", path("sheet.json")});
+  EXPECT_EQ(known.out.substr(0, known.out.find("wrote")), named.out.substr(0, named.out.find("wrote")));
+}
+
 TEST_F(Export, BadInputIsNamed) {
   const std::string file = panels();
   const auto refused = [&](const std::vector<std::string>& options, int status,
