@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 
 #include "core/certify/check_text.h"
 #include "core/certify/exact_signs.h"
@@ -11,6 +12,13 @@
 
 namespace planewright {
 namespace {
+
+// Of mm^2, as schedules have them.
+std::string square_metres(double area) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.3f", area * 1e-6);
+  return text;
+}
 
 constexpr double kLengthLimit = 1e-6;  // mm
 constexpr double kAreaLimit = 1e-9;    // relative
@@ -107,7 +115,7 @@ Check areas(const ExportContent& content) {
   }
   const double difference = panels > 0.0 ? std::abs(patterns / panels - 1.0) : std::abs(patterns);
   return {"areas of patterns and panels", difference <= kAreaLimit,
-          counted(compared) + " patterns, " + brief(panels * 1e-6) + " m², difference " + brief(difference) +
+          counted(compared) + " patterns, " + square_metres(panels) + " m², difference " + brief(difference) +
               " of it (limit " + brief(kAreaLimit) + ")"};
 }
 

@@ -115,7 +115,7 @@ void compare(const ReadDrawing& ours, const SeenAll& dime, std::vector<std::stri
 }  // namespace
 
 std::string dxf_reader_name() {
-  return std::string("dime ") + dimeModel::getVersionString() + " and own group codes";
+  return std::string(dimeModel::getVersionString()) + " and own group codes";
 }
 
 Result<ReadDxf> read_dxf(const std::filesystem::path& path) {

@@ -91,19 +91,23 @@ class PageMatch {
       const Vector2d corner = lower_left(moved);
       const auto begin = std::lower_bound(corners_.begin(), corners_.end(), corner.x() - 2.0 * limit_,
                                           [](const auto& c, double x) { return c.first.x() < x; });
-      bool found = false;
-      for (auto at = begin; at != corners_.end() && at->first.x() <= corner.x() + 2.0 * limit_ && !found;
-           ++at) {
+      // The nearest one: contours that are engraved may lie nearer to those that are cut than paper is exact.
+      size_t nearest = read_.size();
+      double distance = 2.0 * limit_;  // the shift itself is rounded, too
+      for (auto at = begin; at != corners_.end() && at->first.x() <= corner.x() + 2.0 * limit_; ++at) {
         if (used[at->second] || std::abs(at->first.y() - corner.y()) > 2.0 * limit_) continue;
         const double far = border_distance(moved, read_[at->second]);
-        if (far > 2.0 * limit_) continue;  // the shift itself is rounded, too
-        found = used[at->second] = true;
-        place.largest = std::max(place.largest, far);
+        if (far > distance) continue;
+        nearest = at->second;
+        distance = far;
       }
-      if (found)
+      if (nearest < read_.size()) {
+        used[nearest] = true;
+        place.largest = std::max(place.largest, distance);
         ++place.found;
-      else
+      } else {
         place.lost.push_back(line->panel);
+      }
     }
     return place;
   }
