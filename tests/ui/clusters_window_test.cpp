@@ -4,6 +4,17 @@
 namespace planewright {
 namespace {
 
+// A bundled design, solved, in the mode of clusters.
+const std::string kDomeInRegions = R"(
+    click Hint/close
+    sample dome 400
+    wait_loaded 20
+    wait_solved 60
+    key 3
+    wait_frames 3
+    wait_solved 60
+)";
+
 TEST_F(WindowTest, TheThirdModeShowsRegionsBesideTheirPanels) {
   const Playback run = play(R"(
     click Hint/close
@@ -96,14 +107,7 @@ TEST_F(WindowTest, TheSliderOfRegionsClustersWhileItIsDragged) {
 }
 
 TEST_F(WindowTest, RegionsAreSplitAndMergedByClicksAndBroughtBack) {
-  const Playback run = play(R"(
-    click Hint/close
-    sample dome 400
-    wait_loaded 20
-    wait_solved 60
-    key 3
-    wait_frames 3
-    wait_solved 60
+  const Playback run = play(kDomeInRegions + R"(
     click "Design/regions number"
     wait_frames 3
     type "18"
@@ -171,14 +175,7 @@ TEST_F(WindowTest, RegionsAreSplitAndMergedByClicksAndBroughtBack) {
 }
 
 TEST_F(WindowTest, AStrokeOfTheBrushMovesABorder) {
-  const Playback run = play(R"(
-    click Hint/close
-    sample dome 400
-    wait_loaded 20
-    wait_solved 60
-    key 3
-    wait_frames 3
-    wait_solved 60
+  const Playback run = play(kDomeInRegions + R"(
     remember history steps
     key R
     wait_frames 3
