@@ -128,7 +128,8 @@ Result<ReadDxf> read_dxf(const std::filesystem::path& path) {
   // Read only after our own reader took the file: dime prints on the terminal what it cannot read.
   const std::unique_ptr<std::FILE, CloseFile> file(std::fopen(path.c_str(), "rb"));
   dimeInput input;
-  dimeModel model;
+  // With its memory handler: without, it loses the arrays of LWPOLYLINEs and frees strings the wrong way.
+  dimeModel model(true);
   if (!file || !input.setFileHandle(file.get()) || !model.read(&input))
     return fail(ErrorCode::Unreadable, "dime cannot read it", name);
   SeenAll seen;
