@@ -55,6 +55,8 @@ const char* name(ColourMap map) {
       return "displacement";
     case ColourMap::Findings:
       return "findings";
+    case ColourMap::Tolerances:
+      return "tolerances";
   }
   return "";
 }
@@ -97,13 +99,17 @@ void AppState::begin_load(std::string name, std::function<Result<Loaded>()> load
 
 void AppState::adopt(Loaded loaded) {
   LayerSettings settings = default_settings(loaded.mesh.mesh);
-  // The designer's weights and policies outlive the model; mode and offset belong to it.
-  if (!document_.empty()) {
+  // The designer's weights and policies outlive the model, and so does what the workshop asks for; mode and
+  // offset belong to it.
+  WorkshopContract contract = document_.contract();
+  if (document_.empty()) {
+    contract.unit = default_unit;
+  } else {
     settings.weights = document_.settings().weights;
     settings.border = document_.settings().border;
     settings.freedom = document_.settings().freedom;
   }
-  document_.open(std::move(loaded.mesh), std::move(loaded.name), std::move(settings));
+  document_.open(std::move(loaded.mesh), std::move(loaded.name), std::move(settings), std::move(contract));
   ++opened_count_;
 
   runs_.clear();
@@ -113,6 +119,11 @@ void AppState::adopt(Loaded loaded) {
   drop_cluster_wishes();
   region_view_.reset();
   measured_.reset();
+  workshop_.reset();
+  workshop_asked_.reset();
+  workshop_error_.reset();
+  current_failure_.reset();
+  next_failure_ = 0;
   if (changes_regions(tool)) tool = Tool::Look;
   ghost_.reset();
   clear_selection();
@@ -339,6 +350,7 @@ bool AppState::update(Clock::time_point now) {
       changed = true;
     }
   }
+  changed |= update_workshop();
   changed |= update_advice();
   const auto old = std::remove_if(messages_.begin(), messages_.end(), [&](const Message& m) {
     return m.kind <= Message::Kind::Refused && now - m.posted > 8s;
@@ -510,6 +522,7 @@ bool AppState::settled() const {
   if (loading() || load_next_ || solving() || !reference_ready() || clustering()) return false;
   if (clusters_wanted() && clusters() && !(region_view_ && region_view_->clusters == clusters()))
     return false;
+  if (!workshop_known() || workshop_task_.running()) return false;
   if (mesh_view_ && (!ghost_ || ghost_->mesh != mesh_view_)) return false;
   return std::all_of(runs_.begin(), runs_.end(), [this](const LayerRun& of) {
     return of.failed || (of.submitted == (of.shown ? of.shown->number : 0) && findings_known(of));
@@ -531,6 +544,8 @@ double AppState::colour_range() const {
       return round_up(displacement_range_);
     case ColourMap::Findings:
       return 1.0;  // severities
+    case ColourMap::Tolerances:
+      return 2.0;  // of the limit
   }
   return 0.0;
 }

@@ -30,10 +30,12 @@
 #include "core/edit/select.h"
 #include "ui/advice_task.h"
 #include "ui/background_task.h"
+#include "ui/failure_list.h"
 #include "ui/finding_list.h"
 #include "ui/frame_timings.h"
 #include "ui/look_at.h"
 #include "ui/mesh_view.h"
+#include "ui/prepared_workshop.h"
 #include "ui/region_view.h"
 #include "ui/suggestion_list.h"
 #include "ui/view_preparer.h"
@@ -42,8 +44,8 @@ namespace planewright::ui {
 
 using Clock = std::chrono::steady_clock;
 
-enum class ColourMap { None, Planarity, Displacement, Findings };
-const char* name(ColourMap map);  // "none", "planarity", "displacement", "findings"
+enum class ColourMap { None, Planarity, Displacement, Findings, Tolerances };
+const char* name(ColourMap map);  // "none", "planarity", "displacement", "findings", "tolerances"
 
 // Of a design of clusters: the input in its regions' colours, the panels, both side by side, or the panels as
 // glass over the input.
@@ -59,6 +61,9 @@ struct ViewOptions {
   ColourMap colours = ColourMap::None;
   HiddenFindings hidden_findings;  // kinds that are neither listed nor marked
   HiddenEdits hidden_edits;        // kinds of suggestions that are neither listed nor applied together
+  bool names = false;              // of the panels, on them
+  std::optional<ToleranceKind> tolerance;  // that ColourMap::Tolerances is about; none: all of the sheet
+  HiddenFailures hidden_failures;          // kinds that are not listed
 
   bool operator==(const ViewOptions&) const = default;
 };
@@ -210,6 +215,30 @@ class AppState {
   // Which kinds are looked for, and from which measure on; what is shown is looked through anew.
   const FindingSettings& finding_settings() const { return finding_settings_; }
   void set_finding_settings(const FindingSettings& settings);
+
+  // --- Workshop: what the panels that are shown of the active layer are to a workshop. Made in the
+  // background while something of it is in sight; during a solve of states on the way, too.
+  const std::string& unit() const;              // of the model's coordinates: "m"
+  LengthUnit default_unit = LengthUnit::Metre;  // of the first design that is opened
+  const WorkshopContract& contract() const { return document_.contract(); }
+  void change_contract(WorkshopContract changed, std::string what, std::string merge_key = {});
+  bool workshop_in_sight = false;  // the window says each frame whether it is
+  // Of the panels that are shown, perhaps of a state shortly before; null until it is known.
+  std::shared_ptr<const PreparedWorkshop> workshop() const;
+  bool workshop_fits() const;  // it is of the very state that is shown, and of the present contract
+  // Why the newest panels can be nothing to a workshop.
+  const std::optional<Error>& workshop_error() const { return workshop_error_; }
+  // Names that have gone to the workshop stay with the active layer's panels.
+  void keep_names(const WorkshopModel& model);
+  // Selects a panel that is shown, and asks the viewport to go there.
+  void show_panel(int panel);
+  // What fails the tolerance sheet, of kinds that are not hidden.
+  const FailureList& failure_list() const;
+  // The row that the designer has gone to. Stays with its place while newer verdicts come.
+  std::optional<int> current_failure() const;
+  // Selects the panel, and asks the viewport to go to the place.
+  void show_failure(int row);
+  void walk_failures(int by);
 
   // --- Suggestions: edits of the mesh that would better the active layer's panels, each rated by solving
   // its neighbourhood. A worker begins once a solve has come to a result and nothing else is under way, and
@@ -445,6 +474,12 @@ class AppState {
   bool update_region_view();
   bool update_cluster_report();
 
+  WorkshopJob workshop_job() const;                   // precondition: something is shown
+  bool workshop_is_of(const WorkshopJob& job) const;  // the present state and contract
+  bool workshop_known() const;                        // nothing is to be found out
+  bool update_workshop();
+  void follow_failure();
+
   bool update_advice();
   bool take_advice();
   bool may_advise() const;
@@ -529,6 +564,16 @@ class AppState {
   std::shared_ptr<const MeasuredClusters> measured_;  // null: none yet
   mutable std::vector<int> selected_regions_;
   mutable std::pair<std::uint64_t, SharedClusters> selected_regions_of_;
+
+  BackgroundTask<Result<PreparedWorkshop>> workshop_task_;
+  std::optional<WorkshopJob> workshop_asked_;  // the newest
+  std::shared_ptr<const PreparedWorkshop> workshop_;
+  std::optional<Error> workshop_error_;  // of the newest
+  std::uint64_t names_given_ = 0;        // how often
+  std::uint64_t workshop_names_ = 0;     // as that was for the newest job
+  mutable FailureList failure_list_;     // made anew by failure_list() where it is of another state
+  std::optional<ToleranceFailure> current_failure_;
+  int next_failure_ = 0;
 
   int iterates_before_end_ = 0;
   std::uint64_t last_fingerprint_ = 0;

@@ -130,7 +130,7 @@ std::string polish_tooltip(const Desk& desk) {
 
 void draw_solve_badge(Desk& desk, const Rect& viewport) {
   Ui& ui = desk.ui;
-  const std::string& unit = desk.window.settings.unit;
+  const std::string unit = desk.state.unit();
   const SolveBadge badge = solve_badge(standing_of(desk.state), unit);
   if (badge.headline.empty()) return;
   ImFont* font = ui.theme().small();

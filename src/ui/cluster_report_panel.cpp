@@ -30,7 +30,7 @@ void draw_distances(Desk& desk, const TwoSidedDistance& distance) {
   Ui& ui = desk.ui;
   const Palette& p = ui.colours();
   ui.gap(6);
-  two_columns(ui, "Distance, " + desk.window.settings.unit, "RMS", "most", ui.theme().small(), p.ink_faint);
+  two_columns(ui, "Distance, " + desk.state.unit(), "RMS", "most", ui.theme().small(), p.ink_faint);
   const auto line = [&](const char* label, double rms, double most) {
     two_columns(ui, label, format_number(rms), format_number(most), ui.theme().regular(), p.ink);
   };

@@ -32,7 +32,7 @@ bool met(const SolveReport::Constraint& c) {
 std::string amount(const Desk& desk, const SolveReport::Constraint& c) {
   const auto& shown = desk.state.shown();
   if (c.unit == "edges" && shown) {
-    return format_with_unit(c.max_violation * shown->complex().mean_edge, desk.window.settings.unit);
+    return format_with_unit(c.max_violation * shown->complex().mean_edge, desk.state.unit());
   }
   return format_with_unit(c.max_violation, c.unit);
 }
@@ -114,7 +114,7 @@ std::string unit_of(const Desk& desk, DemandUnit unit) {
     case DemandUnit::CoordinateX:
     case DemandUnit::CoordinateY:
     case DemandUnit::CoordinateZ:
-      return desk.window.settings.unit;
+      return desk.state.unit();
     case DemandUnit::Edges:
       return "edges";
     case DemandUnit::None:

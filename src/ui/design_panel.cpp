@@ -30,10 +30,9 @@ void draw_freedom(Desk& desk) {
   AppState& state = desk.state;
   LayerSettings settings = state.document().settings();
 
-  const Edit edit =
-      ui.length("offset", "Offset", settings.offset, length_step(desk), desk.window.settings.unit,
-                "Wanted distance of the panels from the design, along its normals. "
-                "Drag, turn the wheel, double click for 0, Ctrl click to type.");
+  const Edit edit = ui.length("offset", "Offset", settings.offset, length_step(desk), desk.state.unit(),
+                              "Wanted distance of the panels from the design, along its normals. "
+                              "Drag, turn the wheel, double click for 0, Ctrl click to type.");
   if (edit.changed) state.change_settings(settings, "Offset", "offset");
   if (edit.finished) state.end_merge();
 

@@ -106,7 +106,7 @@ void draw_line(Desk& desk, const FindingList& list, const Line& line, std::optio
                        severity_colour(ui, finding.severity), 16);
   ImFont* font = ui.theme().regular();
   const std::string measure =
-      measure_text(finding.measure, finding.unit, shown.complex().mean_edge, desk.window.settings.unit);
+      measure_text(finding.measure, finding.unit, shown.complex().mean_edge, desk.state.unit());
   const float room =
       max.x - min.x - ui.px(22 + 10) - font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, measure.c_str()).x;
   draw_text_aligned(draw, font, ImVec2(min.x + ui.px(22), min.y), max, 0.0f, p.ink,
@@ -146,8 +146,7 @@ ImU32 severity_colour(const Ui& ui, double severity) {
 void draw_finding_list(Desk& desk) {
   Ui& ui = desk.ui;
   AppState& state = desk.state;
-  if (const std::string why = why_no_findings(findings_standing(state), desk.window.settings.unit);
-      !why.empty()) {
+  if (const std::string why = why_no_findings(findings_standing(state), desk.state.unit()); !why.empty()) {
     const bool judged = state.findings() != nullptr;
     ui.wrapped(why, judged && !state.solving() ? ui.colours().warning : ui.colours().ink_soft);
     return;

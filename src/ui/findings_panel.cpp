@@ -55,7 +55,7 @@ void draw_findings_panel(Desk& desk, const Rect& place) {
   Ui& ui = desk.ui;
   if (!begin_part("##findings", place, ImVec2(ui.px(14), ui.px(10)))) return;
   const Ui::Scope scope(ui, "Findings");
-  const std::array<std::string, 2> tabs = {"Findings", "Report"};
+  const std::array<std::string, 3> tabs = {"Findings", "Report", "Workshop"};
   ui.segmented("tab", tabs, desk.window.right_tab);
   desk.state.pointed_edit.reset();
   desk.state.pointed_all = false;
@@ -72,8 +72,10 @@ void draw_findings_panel(Desk& desk, const Rect& place) {
     const auto pins = static_cast<std::int64_t>(demands.pins.size() + demands.plane_pins.size());
     if (ui.section("pins", "Pins", true, pins > 0 ? format_count(pins) : "")) draw_pins(desk);
     if (ui.section("energies", "Energies")) draw_energy_table(desk);
-  } else {
+  } else if (desk.window.right_tab == 1) {
     draw_report(desk);
+  } else {
+    draw_workshop(desk);
   }
   draw_rim(ui, place, Side::Left);
   end_part();

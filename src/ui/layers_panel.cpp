@@ -107,7 +107,7 @@ void draw_row(Desk& desk, int index, float height) {
                       elided(font, layer.name, name_width - ui.px(4)));
     draw_text_aligned(draw, ui.theme().regular(), ImVec2(max.x - dot - offset, min.y),
                       ImVec2(max.x - dot, max.y), 1.0f, layer.visible ? p.ink_soft : p.ink_faint,
-                      format_with_unit(layer.settings.offset, desk.window.settings.unit));
+                      format_with_unit(layer.settings.offset, desk.state.unit()));
     const ImVec2 at(max.x - 0.5f * dot, 0.5f * (min.y + max.y));
     if (state.layer_status(index) == LayerStatus::Solving) {
       const auto angle = static_cast<float>(std::fmod(ImGui::GetTime() * 4.0, 2 * std::numbers::pi));
@@ -190,8 +190,7 @@ void draw_beams_result(Desk& desk, const char* label, const PreparedBeams& beams
     return;
   }
   ui.value_row(
-      label,
-      format_count(beams.count) + ", flat to " + format_with_unit(beams.planarity, desk.window.settings.unit),
+      label, format_count(beams.count) + ", flat to " + format_with_unit(beams.planarity, desk.state.unit()),
       0, "One per panel edge; the greatest distance of a corner from the plane of its beam");
   const ImVec2 line = ImGui::GetCursorScreenPos();
   ui.value_row("Largest twist", degrees(beams.twist), 0,
@@ -278,7 +277,7 @@ void draw_layers(Desk& desk) {
   ui.value_row("State", how.text, how.colour);
   Layer thicker = layer;
   const Edit edit =
-      ui.length("thickness", "Thickness", thicker.thickness, length_step(desk), desk.window.settings.unit,
+      ui.length("thickness", "Thickness", thicker.thickness, length_step(desk), desk.state.unit(),
                 "Thickness of the panels, along their normals (negative: to the inside). Shows their "
                 "other side, which keeps every edge parallel. Double click for none.");
   if (edit.changed) {
@@ -295,7 +294,7 @@ void draw_layers(Desk& desk) {
     if (!view->thickness->residuals.empty()) {
       ui.value_row("Corners off planes",
                    format_count(static_cast<int>(view->thickness->residuals.size())) + ", by up to " +
-                       format_with_unit(view->thickness->largest_residual, desk.window.settings.unit),
+                       format_with_unit(view->thickness->largest_residual, desk.state.unit()),
                    ui.colours().warning,
                    "Where more than three panels meet, the offset planes need not have a common point.");
     }

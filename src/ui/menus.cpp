@@ -36,7 +36,7 @@ std::string design_line(const Desk& desk) {
   const Document& document = desk.state.document();
   if (document.empty()) return "no design";
   return document.name() + "  ·  " + format_count(document.mesh()->vertex_count()) + " V  ·  " +
-         format_count(document.mesh()->face_count()) + " F  ·  " + desk.window.settings.unit;
+         format_count(document.mesh()->face_count()) + " F  ·  " + desk.state.unit();
 }
 
 bool begin_menu(Desk& desk, const char* label) {
@@ -125,10 +125,11 @@ float draw_menu_bar(Desk& desk) {
       item(desk, Action::DarkTheme);
       if (begin_menu(desk, "Unit")) {
         const Ui::Scope units_scope(ui, "Menu/View/Unit");
-        for (const char* unit : {"mm", "cm", "m", "in", "ft"}) {
-          if (ImGui::MenuItem(unit, nullptr, desk.window.settings.unit == unit))
-            desk.window.settings.unit = unit;
-          ui.record_item(unit);
+        for (const LengthUnit unit : length_units()) {
+          const std::string text(symbol(unit));
+          if (ImGui::MenuItem(text.c_str(), nullptr, desk.state.contract().unit == unit))
+            set_unit(desk, unit);
+          ui.record_item(text);
         }
         ImGui::EndMenu();
       }

@@ -73,7 +73,7 @@ void draw_solve_report(Desk& desk) {
 void draw_measures(Desk& desk) {
   Ui& ui = desk.ui;
   const auto& shown = desk.state.shown();
-  const std::string& unit = desk.window.settings.unit;
+  const std::string unit = desk.state.unit();
   if (!shown) {
     ui.small_text("No panels yet.");
     return;

@@ -23,7 +23,7 @@ void draw_findings_of(Desk& desk, const ElementRef& element) {
     if (finding.element != element && finding.second != element) continue;
     ui.value_row(capitalised(kind_name(finding.kind)),
                  measure_text(finding.measure, finding.unit, desk.state.shown()->complex().mean_edge,
-                              desk.window.settings.unit),
+                              desk.state.unit()),
                  severity_colour(ui, finding.severity),
                  capitalised(finding.cause) + ". " + capitalised(limit_text(finding)) + ".");
   }
@@ -80,7 +80,7 @@ void draw_corner(Desk& desk, int point) {
   const AppState& state = desk.state;
   const PreparedView& shown = *state.shown();
   const TangentComplex& complex = shown.complex();
-  const std::string& unit = desk.window.settings.unit;
+  const std::string unit = desk.state.unit();
   ui.heading(element_name(state.document(), state.active_layer(), shown, {ElementKind::Point, point}));
   ui.value_row("Planes through it", format_count(complex.planes_of_point.valence(point)));
   draw_findings_of(desk, {ElementKind::Point, point});
@@ -94,7 +94,7 @@ void draw_corner(Desk& desk, int point) {
 void draw_panel(Desk& desk, int panel) {
   Ui& ui = desk.ui;
   const PreparedView& shown = *desk.state.shown();
-  const std::string& unit = desk.window.settings.unit;
+  const std::string unit = desk.state.unit();
   const auto corners = shown.complex().panels[panel];
   double shortest = 1e300, longest = 0;
   for (std::size_t k = 0; k < corners.size(); ++k) {
@@ -121,7 +121,7 @@ void draw_edge(Desk& desk, int index) {
   const ElementRef element{ElementKind::PanelEdge, index};
   ui.heading(element_name(desk.state.document(), desk.state.active_layer(), shown, element));
   ui.value_row("Length", format_with_unit((shown.points.row(edge.a) - shown.points.row(edge.b)).norm(),
-                                          desk.window.settings.unit));
+                                          desk.state.unit()));
   draw_findings_of(desk, element);
 }
 
@@ -233,7 +233,7 @@ void draw_coordinates(Desk& desk, int index, const Pin& pin) {
     if (held) {
       double value = now;
       QuantityLook look;
-      look.unit = desk.window.settings.unit;
+      look.unit = desk.state.unit();
       look.per_pixel = length_step(desk);
       look.reset_value = now;
       look.tooltip = "Drag, turn the wheel, or Ctrl click to type";

@@ -310,7 +310,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "settled") return flag(state.settled());
   if (key == "asked") return std::string(planewright::name(state.asked_solver()));
   if (key == "solver") return state.report() != nullptr ? state.report()->solver : "none";
-  if (key == "badge") return solve_badge(standing_of(state), c.window.settings.unit).headline;
+  if (key == "badge") return solve_badge(standing_of(state), c.state.unit()).headline;
   if (key == "polishing") return flag(state.polishing());
   if (key == "polished") return flag(state.polished());
   if (key == "can_polish") return flag(state.can_polish());
@@ -328,7 +328,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (auto value = finding_value(state, key)) return value;
   if (auto value = suggestion_value(state, key)) return value;
   if (auto value = cluster_value(c, key)) return value;
-  if (key == "findings_text") return why_no_findings(findings_standing(state), c.window.settings.unit);
+  if (key == "findings_text") return why_no_findings(findings_standing(state), c.state.unit());
   if (key == "history") return count(document.history().size());
   if (key == "steps_done") return count(document.steps_done());
   if (key == "fingerprint") return count(shown ? shown->fingerprint : 0);
@@ -340,7 +340,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "range") return text_of(state.colour_range());
   if (key == "ghost") return flag(state.view_options.ghost);
   if (key == "dark") return flag(c.window.settings.dark);
-  if (key == "unit") return c.window.settings.unit;
+  if (key == "unit") return c.state.unit();
   if (key == "messages") return count(state.messages().size());
   if (key == "messages_posted") return count(state.messages_posted());
   if (key == "last_message") {

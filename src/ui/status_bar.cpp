@@ -9,7 +9,7 @@ namespace {
 
 std::string sentence(const Desk& desk) {
   const AppState& state = desk.state;
-  const std::string& unit = desk.window.settings.unit;
+  const std::string unit = desk.state.unit();
   if (state.loading()) return "Opening " + state.loading_name() + " …";
   if (state.exporting()) return "Writing the panels …";
   if (state.document().empty()) return "Drop a mesh on the window, or press Ctrl O.";

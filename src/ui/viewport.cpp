@@ -19,7 +19,7 @@ namespace {
 constexpr double kFlightSeconds = 0.35;
 constexpr double kSlowPicture = 28;  // milliseconds above which a moving picture is drawn coarser
 
-render::ColourScale colour_scale(const AppState& state, const std::string& unit) {
+render::ColourScale colour_scale(const AppState& state) {
   render::ColourScale scale;
   scale.low = 0;
   scale.high = state.colour_range();
@@ -28,7 +28,7 @@ render::ColourScale colour_scale(const AppState& state, const std::string& unit)
     scale.map = render::ColourScale::Map::Severity;
     return scale;
   }
-  scale.unit = unit;
+  scale.unit = state.unit();
   if (state.view_options.colours == ColourMap::Planarity) {
     scale.quantity = "Planarity";
     if (const double tolerance = state.planarity_tolerance(); tolerance > 0 && tolerance < scale.high) {
@@ -69,7 +69,7 @@ bool Viewport::take_redrawn() {
 
 // --- Upload ----------------------------------------------------------------------------------
 
-void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
+void Viewport::upload(AppState& state, bool dark) {
   Impl& v = *impl_;
   const Stopwatch watch;
   bool streamed = false;
@@ -85,7 +85,6 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
   v.colours = state.view_options.colours;
   v.coloured = coloured;
   v.coloured_hidden = state.view_options.hidden_findings;
-  v.unit = unit;
 
   if (new_mesh) {
     v.mesh = state.mesh_view();
@@ -116,7 +115,7 @@ void Viewport::upload(AppState& state, bool dark, const std::string& unit) {
 
   std::optional<render::ColourScale> scale;
   if (v.shown && v.colours != ColourMap::None && (v.colours != ColourMap::Findings || v.coloured)) {
-    scale = colour_scale(state, unit);
+    scale = colour_scale(state);
   }
   if (!same(scale, v.scale)) {
     v.scale = scale;

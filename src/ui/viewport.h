@@ -29,7 +29,7 @@ class Viewport {
   ~Viewport();
 
   // Hands what is new to OpenGL. Cheap when nothing is.
-  void upload(AppState& state, bool dark, const std::string& unit);
+  void upload(AppState& state, bool dark);
   // The window's part of the frame: mouse, picture, overlays.
   void draw(Ui& ui, AppState& state, const Rect& place);
 

@@ -125,7 +125,7 @@ void Viewport::Impl::explain_edge(Ui& ui, const AppState& state, int edge) const
       const Finding& finding = list.finding(of->findings[i]);
       ui.small_text(capitalised(kind_name(finding.kind)) + ": " +
                         place_name(state.document(), state.active_layer(), *shown, finding) + ", " +
-                        measure_text(finding.measure, finding.unit, mean_edge, unit),
+                        measure_text(finding.measure, finding.unit, mean_edge, state.unit()),
                     finding.severity >= kNotToBeBuilt ? p.error : p.ink_soft);
     }
     if (!allowed) ui.small_text("Right click: other edits", p.ink_faint);

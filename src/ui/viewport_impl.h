@@ -73,7 +73,6 @@ struct Viewport::Impl {
   ColourMap colours = ColourMap::None;
   std::optional<render::ColourScale> scale;
   bool dark = false, ghost = true, markers = true;
-  std::string unit;
   // What the marks were made for.
   struct Marked {
     std::optional<int> point, panel, edge, hovered_edge, hovered_corner;

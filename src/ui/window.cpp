@@ -157,6 +157,7 @@ class Window {
   void take_browser_result();
   void apply_wishes();
   double sleep_seconds() const;
+  bool workshop_in_sight() const;
 
   const WindowOptions& options_;
   GlfwLibrary glfw_;
@@ -185,6 +186,7 @@ Result<void> Window::open() {
   UserSettings& settings = shown_.settings;
   if (options_.dark) settings.dark = *options_.dark;
   state_.view_options.ghost = settings.show_ghost;
+  if (const auto unit = parse_length_unit(settings.unit, "unit")) state_.default_unit = *unit;
   state_.set_auto_solve(settings.auto_solve);
   state_.set_polish_automatically(settings.polish_automatically);
   state_.set_finding_settings(with_limits(settings.finding_limits));
@@ -267,7 +269,7 @@ Result<void> Window::run() {
 
     const std::size_t drains = state_.timings.drain.count(), uploads = state_.timings.upload.count();
     if (state_.update(now)) frames_due_ = std::max(frames_due_, 2);
-    viewport_->upload(state_, shown_.settings.dark, shown_.settings.unit);
+    viewport_->upload(state_, shown_.settings.dark);
     const bool drained = state_.timings.drain.count() > drains,
                uploaded = state_.timings.upload.count() > uploads;
     if (drained || uploaded) {
@@ -341,8 +343,15 @@ void Window::apply_wishes() {
   if (theme_->dark() != shown_.settings.dark) theme_->set_dark(shown_.settings.dark);
 }
 
+// Whether what the workshop makes of the panels is to be found out.
+bool Window::workshop_in_sight() const {
+  return shown_.right_tab == 2 || state_.view_options.names ||
+         state_.view_options.colours == ColourMap::Tolerances;
+}
+
 void Window::frame() {
   ++frame_;
+  state_.workshop_in_sight = workshop_in_sight();
   if (!gathered_.dropped.empty()) drop(std::exchange(gathered_.dropped, {}));
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();

@@ -21,7 +21,7 @@ struct WindowState {
   bool show_timings = false;
   bool show_about = false;
   bool own_metric = false;  // the weights of the clusters' measure are shown, whatever they are
-  int right_tab = 0;        // findings, report
+  int right_tab = 0;        // findings, report, workshop
   bool tab_wanted = false;
   std::optional<int> listed_finding, listed_suggestion;  // that the list has last brought into sight
   std::optional<MeshEdit> suggestion_wanted;             // that was clicked in the list

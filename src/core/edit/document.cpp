@@ -22,10 +22,12 @@ HealthReport health_of(const PolygonMesh& mesh) {
 
 }  // namespace
 
-void Document::open(CheckedMesh mesh, std::string name, LayerSettings settings) {
+void Document::open(CheckedMesh mesh, std::string name, LayerSettings settings, WorkshopContract contract) {
   Design design;
   design.layers.front().settings = std::move(settings);
-  begin(new_project(std::move(name), std::move(mesh.mesh), std::move(design)), std::move(mesh.health));
+  Project project = new_project(std::move(name), std::move(mesh.mesh), std::move(design));
+  project.contract = std::move(contract);
+  begin(std::move(project), std::move(mesh.health));
 }
 
 void Document::open_project(Project project) {

@@ -32,7 +32,7 @@ class Document {
 
   // Replaces everything; the history begins anew. `name`: shown in the title ("train-station.off").
   // Mode and weights start at `settings`.
-  void open(CheckedMesh mesh, std::string name, LayerSettings settings);
+  void open(CheckedMesh mesh, std::string name, LayerSettings settings, WorkshopContract contract = {});
 
   // The same for a project. What is solved of it is not the document's business, but whoever's shows results.
   void open_project(Project project);
