@@ -38,16 +38,24 @@ const std::vector<ActionInfo>& action_list() {
       {Action::ResetView, "reset view", "Standard view", "Home", {key(GLFW_KEY_HOME)}},
       {Action::Ghost, "ghost", "Ghost of the input", "G", {key(GLFW_KEY_G)}},
       {Action::Markers, "markers", "Mark findings", "M", {key(GLFW_KEY_M)}},
+      {Action::PanelNames, "panel names", "Names of the panels", "Y", {key(GLFW_KEY_Y)}},
       {Action::ColourCycle, "colour map", "Next colour map", "C", {key(GLFW_KEY_C)}},
       {Action::ColourNone, "colours none", "Plain card", "", {}},
       {Action::ColourPlanarity, "colours planarity", "Colour by planarity", "", {}},
       {Action::ColourDisplacement, "colours displacement", "Colour by displacement", "", {}},
       {Action::ColourFindings, "colours findings", "Colour by findings", "", {}},
+      {Action::ColourTolerances, "colours tolerances", "Colour by tolerances", "", {}},
       {Action::LockRange, "lock range", "Lock the colours' range", "L", {key(GLFW_KEY_L)}},
       {Action::Convergence, "convergence", "Convergence plot", "V", {key(GLFW_KEY_V)}},
       {Action::DarkTheme, "dark theme", "Dark theme", "D", {key(GLFW_KEY_D)}},
       {Action::NextFinding, "next finding", "Next finding", "N", {key(GLFW_KEY_N)}},
       {Action::PreviousFinding, "previous finding", "Previous finding", "Shift N", {shifted(GLFW_KEY_N)}},
+      {Action::NextFailure, "next failure", "Next failure of a limit", "W", {key(GLFW_KEY_W)}},
+      {Action::PreviousFailure,
+       "previous failure",
+       "Previous failure of a limit",
+       "Shift W",
+       {shifted(GLFW_KEY_W)}},
       {Action::NextSuggestion, "next suggestion", "Next suggestion", "S", {key(GLFW_KEY_S)}},
       {Action::PreviousSuggestion,
        "previous suggestion",
@@ -213,12 +221,16 @@ bool Actions::checked(Action action) const {
       return view.ghost;
     case Action::Markers:
       return view.markers;
+    case Action::PanelNames:
+      return view.names;
     case Action::ColourNone:
       return view.colours == ColourMap::None;
     case Action::ColourPlanarity:
       return view.colours == ColourMap::Planarity;
     case Action::ColourDisplacement:
       return view.colours == ColourMap::Displacement;
+    case Action::ColourTolerances:
+      return view.colours == ColourMap::Tolerances;
     case Action::ColourFindings:
       return view.colours == ColourMap::Findings;
     case Action::LockRange:
@@ -407,10 +419,14 @@ void Actions::run(Action action) {
     case Action::Markers:
       view.markers = !view.markers;
       break;
+    case Action::PanelNames:
+      view.names = !view.names;
+      break;
     case Action::ColourCycle:
       view.colours = view.colours == ColourMap::None           ? ColourMap::Planarity
                      : view.colours == ColourMap::Planarity    ? ColourMap::Displacement
                      : view.colours == ColourMap::Displacement ? ColourMap::Findings
+                     : view.colours == ColourMap::Findings     ? ColourMap::Tolerances
                                                                : ColourMap::None;
       break;
     case Action::ColourNone:
@@ -425,6 +441,9 @@ void Actions::run(Action action) {
     case Action::ColourFindings:
       view.colours = ColourMap::Findings;
       break;
+    case Action::ColourTolerances:
+      view.colours = ColourMap::Tolerances;
+      break;
     case Action::LockRange:
       view.lock_range = !view.lock_range;
       break;
@@ -433,6 +452,12 @@ void Actions::run(Action action) {
       break;
     case Action::DarkTheme:
       window_.settings.dark = !window_.settings.dark;
+      break;
+    case Action::NextFailure:
+    case Action::PreviousFailure:
+      // What fails is known once the workshop is in sight.
+      state_.walk_failures(action == Action::NextFailure ? 1 : -1);
+      window_.right_tab = 2;
       break;
     case Action::NextFinding:
       state_.walk_findings(1);

@@ -120,6 +120,8 @@ std::optional<int> AppState::current_failure() const {
 void AppState::show_panel(int panel) {
   if (!shown() || panel < 0 || panel >= shown()->complex().plane_count()) return;
   show_element({ElementKind::Panel, panel});
+  if (look_at_)
+    look_at_->outside = newell_vector(shown()->points, shown()->complex().panels[panel]).normalized();
 }
 
 void AppState::show_failure(int row) {

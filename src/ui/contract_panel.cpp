@@ -54,8 +54,11 @@ void draw_contract(Desk& desk) {
       "Rows by height from below get letters, panels a number in their row",
       "Panels get their number in the design, plus 1"};
   int style = static_cast<int>(contract.names);
-  ui.text("Names", ui.colours().ink_soft);
-  ImGui::SameLine(ui.label_width());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  draw_text_aligned(*ImGui::GetWindowDrawList(), ui.theme().regular(), at,
+                    ImVec2(at.x + ui.label_width(), at.y + ImGui::GetFrameHeight()), 0.0f,
+                    ui.colours().ink_soft, "Names");
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.label_width(), at.y));
   if (ui.segmented("names", kStyles, style, kAbout)) {
     contract.names = static_cast<NameStyle>(style);
     desk.state.change_contract(contract, "Names of panels");

@@ -23,7 +23,8 @@ void item(Desk& desk, Action action) {
       action == Action::MergeRegions || action == Action::PaintRegions || action == Action::SightRegions ||
       action == Action::SightBeside || action == Action::SightOver || action == Action::SightPanels ||
       action == Action::ColourNone || action == Action::ColourPlanarity ||
-      action == Action::ColourDisplacement || action == Action::ColourFindings;
+      action == Action::ColourDisplacement || action == Action::ColourFindings ||
+      action == Action::ColourTolerances || action == Action::PanelNames;
   if (ImGui::MenuItem(desk.actions.label(action).c_str(), what.shortcut.c_str(),
                       toggles && desk.actions.checked(action), enabled)) {
     desk.actions.request(action);
@@ -109,8 +110,11 @@ float draw_menu_bar(Desk& desk) {
       ImGui::Separator();
       item(desk, Action::Ghost);
       item(desk, Action::Markers);
+      item(desk, Action::PanelNames);
       item(desk, Action::NextFinding);
       item(desk, Action::PreviousFinding);
+      item(desk, Action::NextFailure);
+      item(desk, Action::PreviousFailure);
       item(desk, Action::NextSuggestion);
       item(desk, Action::PreviousSuggestion);
       ImGui::Separator();
@@ -118,6 +122,7 @@ float draw_menu_bar(Desk& desk) {
       item(desk, Action::ColourPlanarity);
       item(desk, Action::ColourDisplacement);
       item(desk, Action::ColourFindings);
+      item(desk, Action::ColourTolerances);
       item(desk, Action::ColourCycle);
       item(desk, Action::LockRange);
       ImGui::Separator();
@@ -233,10 +238,11 @@ void draw_toolbar(Desk& desk, const Rect& place) {
   button(Action::Ghost, Icon::Ghost, "Ghost", true, true);
   divider();
 
-  // The colour map, four choices side by side.
-  static const std::array<std::string, 4> kMaps = {"Card", "Planarity", "Displacement", "Findings"};
+  // The colour map, its choices side by side.
+  static const std::array<std::string, 5> kMaps = {"Card", "Planarity", "Displacement", "Findings",
+                                                   "Tolerances"};
   int current = static_cast<int>(desk.state.view_options.colours);
-  const float width = std::clamp(place.max.x - ImGui::GetCursorScreenPos().x - ui.px(12), 1.0f, ui.px(412));
+  const float width = std::clamp(place.max.x - ImGui::GetCursorScreenPos().x - ui.px(12), 1.0f, ui.px(510));
   ImGui::BeginChild("maps", ImVec2(width, frame), false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (ui.segmented("colours", kMaps, current))

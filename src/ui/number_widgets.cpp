@@ -149,7 +149,7 @@ Edit Ui::quantity(std::string_view name, double& value, const QuantityLook& look
   if (hovered || held) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   const ImGuiIO& io = ImGui::GetIO();
   const bool unlimited = std::abs(value) >= kNoLimit;
-  if (ImGui::IsItemActivated()) drag_carry_ = unlimited ? 0.0 : value;
+  if (ImGui::IsItemActivated()) drag_carry_ = unlimited ? look.from_none : value;
   if (hovered && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
     value = drag_carry_ = look.reset_value;
     edit.finished = true;
@@ -163,7 +163,7 @@ Edit Ui::quantity(std::string_view name, double& value, const QuantityLook& look
   }
   if (ImGui::IsItemDeactivated()) edit.finished = true;
   if (const double notches = wheel_notches(id, hovered, edit); notches != 0)
-    value = kept((unlimited ? 0.0 : value) + notches * 5 * look.per_pixel);
+    value = kept((unlimited ? look.from_none : value) + notches * 5 * look.per_pixel);
   edit.changed = value != before;
   ImGui::PopID();
 

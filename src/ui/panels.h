@@ -58,6 +58,9 @@ void draw_cluster_report(Desk& desk);
 // The workshop in the right panel, and its terms. A new design begins with the unit that was set last.
 void draw_workshop(Desk& desk);
 void draw_contract(Desk& desk);
+void draw_tolerances(Desk& desk);
+std::string tolerances_summary(const Desk& desk);
+void draw_failures(Desk& desk);
 void set_unit(Desk& desk, LengthUnit unit);
 // What a pixel of a drag changes a length by: about a thousandth of the model, as a round number.
 double length_step(const Desk& desk);

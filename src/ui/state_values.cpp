@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/workshop/tolerance_share.h"
 #include "ui/finding_text.h"
 #include "ui/layer_edits.h"
 #include "ui/script.h"
@@ -66,6 +67,55 @@ std::optional<std::string> energy_value(const AppState& state, const std::string
   }
   if (!own) return "none";
   return text_of(share ? *own / total : *own);
+}
+
+// passing, failing: panels, "none" until that is known; failures: places; failure: the row that the designer
+// is at, -1 for none; failure.ROW.text, .panel; names: whether they are written on the panels, names_drawn:
+// how many; name.PANEL; thickness, gap, density; limit_NAME of the sheet ("none": there is none).
+std::optional<std::string> workshop_value(const DriverContext& c, const std::string& key) {
+  const AppState& state = c.state;
+  const auto workshop = state.workshop();
+  const FailureList& list = state.failure_list();
+  const WorkshopContract& contract = state.contract();
+  if (key == "passing") return workshop ? std::to_string(workshop->verdicts.passed) : "none";
+  if (key == "failing") return workshop ? std::to_string(workshop->verdicts.failed) : "none";
+  if (key == "failures") return workshop ? std::to_string(workshop->verdicts.failures.size()) : "none";
+  if (key == "failure") return text_of(state.current_failure().value_or(-1));
+  if (key == "names") return std::string(state.view_options.names ? "1" : "0");
+  if (key == "names_drawn") return text_of(c.viewport.names_drawn());
+  if (key == "contract_thickness") return text_of(contract.thickness);
+  if (key == "gap") return text_of(contract.gap);
+  if (key == "density") return text_of(contract.density);
+  if (key == "shares_break") {  // of the colours: failing panels that do not show as failing, and the other
+                                // way round
+    if (!workshop) return "none";
+    const Vector shares = tolerance_shares(workshop->passports, workshop->verdicts, contract.tolerances);
+    int wrong = 0;
+    for (std::size_t p = 0; p < workshop->verdicts.pass.size(); ++p)
+      wrong += workshop->verdicts.pass[p] != (shares[static_cast<Eigen::Index>(p)] <= 1.0) ? 1 : 0;
+    return text_of(wrong);
+  }
+  if (key.starts_with("name.") || key.starts_with("failure.")) {
+    const std::size_t begin = key.find('.') + 1, dot = key.find('.', begin);
+    const auto index = number_in(key.substr(begin, dot == std::string::npos ? dot : dot - begin));
+    if (!index || !workshop || *index < 0) return std::nullopt;
+    const auto i = static_cast<std::size_t>(*index);
+    if (key.starts_with("name."))
+      return i < workshop->model->names.size() ? std::optional(workshop->model->names[i]) : std::nullopt;
+    if (*index >= list.size() || dot == std::string::npos) return std::nullopt;
+    const ToleranceFailure& failure = list.failure(static_cast<int>(i));
+    if (key.substr(dot) == ".text") return describe(failure, *workshop->model);
+    if (key.substr(dot) == ".panel") return text_of(failure.panel);
+    return std::nullopt;
+  }
+  const auto limit = [](const std::optional<double>& value) { return value ? text_of(*value) : "none"; };
+  const ToleranceSheet& sheet = contract.tolerances;
+  if (key == "limit_planarity") return limit(sheet.planarity);
+  if (key == "limit_edge_min") return limit(sheet.edge_min);
+  if (key == "limit_edge_max") return limit(sheet.edge_max);
+  if (key == "limit_area_max") return limit(sheet.area_max);
+  if (key == "limit_stock") return limit(sheet.stock ? std::optional(sheet.stock->width) : std::nullopt);
+  return std::nullopt;
 }
 
 // findings, findings.KIND: how many there are, "none" until that is known; findings_listed: of the kinds that
@@ -328,6 +378,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (auto value = finding_value(state, key)) return value;
   if (auto value = suggestion_value(state, key)) return value;
   if (auto value = cluster_value(c, key)) return value;
+  if (auto value = workshop_value(c, key)) return value;
   if (key == "findings_text") return why_no_findings(findings_standing(state), c.state.unit());
   if (key == "history") return count(document.history().size());
   if (key == "steps_done") return count(document.steps_done());

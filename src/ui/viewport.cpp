@@ -28,6 +28,13 @@ render::ColourScale colour_scale(const AppState& state) {
     scale.map = render::ColourScale::Map::Severity;
     return scale;
   }
+  if (state.view_options.colours == ColourMap::Tolerances) {
+    const auto kind = state.view_options.tolerance;
+    scale.quantity = kind ? capitalised(std::string(tolerance_name(*kind))) : "Tolerances";
+    scale.map = render::ColourScale::Map::Verdict;
+    scale.tolerance = 1.0;
+    return scale;
+  }
   scale.unit = state.unit();
   if (state.view_options.colours == ColourMap::Planarity) {
     scale.quantity = "Planarity";
@@ -42,8 +49,8 @@ render::ColourScale colour_scale(const AppState& state) {
 
 bool same(const std::optional<render::ColourScale>& a, const std::optional<render::ColourScale>& b) {
   if (a.has_value() != b.has_value()) return false;
-  return !a || (a->low == b->low && a->high == b->high && a->quantity == b->quantity && a->unit == b->unit &&
-                a->tolerance == b->tolerance);
+  return !a || (a->low == b->low && a->high == b->high && a->quantity == b->quantity && a->map == b->map &&
+                a->unit == b->unit && a->tolerance == b->tolerance);
 }
 
 }  // namespace
@@ -63,6 +70,9 @@ std::optional<int> Viewport::hovered_edge() const {
 const render::Camera& Viewport::camera() const {
   return impl_->camera;
 }
+int Viewport::names_drawn() const {
+  return impl_->names_drawn;
+}
 bool Viewport::take_redrawn() {
   return std::exchange(impl_->redrawn, false);
 }
@@ -80,10 +90,15 @@ void Viewport::upload(AppState& state, bool dark) {
   const bool new_view = v.shown != view;
   const auto coloured =
       state.view_options.colours == ColourMap::Findings && view ? state.findings() : nullptr;
+  const auto judged =
+      state.view_options.colours == ColourMap::Tolerances && view ? state.workshop() : nullptr;
   const bool new_colours = v.colours != state.view_options.colours || v.coloured != coloured ||
-                           v.coloured_hidden != state.view_options.hidden_findings;
+                           v.coloured_hidden != state.view_options.hidden_findings || v.judged != judged ||
+                           v.judged_kind != state.view_options.tolerance;
   v.colours = state.view_options.colours;
   v.coloured = coloured;
+  v.judged = judged;
+  v.judged_kind = state.view_options.tolerance;
   v.coloured_hidden = state.view_options.hidden_findings;
 
   if (new_mesh) {
@@ -114,7 +129,8 @@ void Viewport::upload(AppState& state, bool dark) {
     v.marks_stale = v.pane_dirty[static_cast<int>(Pane::Panels)] = true;
 
   std::optional<render::ColourScale> scale;
-  if (v.shown && v.colours != ColourMap::None && (v.colours != ColourMap::Findings || v.coloured)) {
+  if (v.shown && v.colours != ColourMap::None && (v.colours != ColourMap::Findings || v.coloured) &&
+      (v.colours != ColourMap::Tolerances || v.judged)) {
     scale = colour_scale(state);
   }
   if (!same(scale, v.scale)) {
@@ -240,10 +256,28 @@ void Viewport::Impl::turn_towards(const Vector3d& point) {
   }
 }
 
-void Viewport::look_at(const Vector3d& scene_point, double radius) {
+// Seen at a slant, what is to be looked at turns its outside to the camera, which stays above the ground;
+// unless it cannot be seen from there.
+void Viewport::Impl::turn_to_face(const LookAt& wish) {
+  constexpr double kSlant = 0.35;  // sine of the angle between the view and the surface
+  if (wish.outside.isZero() || wish.outside.dot((camera.eye() - wish.point).normalized()) > kSlant) return;
+  render::Camera turned = camera;
+  const bool upright = std::hypot(wish.outside.x(), wish.outside.y()) > 1e-3;
+  const Vector3d back = upright ? wish.outside : Vector3d(-camera.forward());
+  turned.set_direction(std::atan2(back.y(), back.x()),
+                       std::clamp(std::asin(std::clamp(wish.outside.z(), -1.0, 1.0)), 0.2, 1.2));
+  if (turned.depth(wish.point) <= 0) return;
+  turned.pan(middle() - turned.project(wish.point), wish.point);
+  if (in_sight(turned, wish.point)) camera = turned;
+}
+
+void Viewport::look_at(const LookAt& wish) {
   Impl& v = *impl_;
+  const Vector3d& scene_point = wish.point;
+  const double radius = wish.radius;
   if (v.flight) v.camera = v.flight->to;
   const render::Camera from = v.camera;
+  v.turn_to_face(wish);
   v.turn_towards(scene_point);
   v.camera.pan(v.middle() - v.camera.project(scene_point), scene_point);
   const double shown_radius = 0.5 * v.camera.height() * v.camera.pixel_size_at(scene_point);
@@ -381,6 +415,7 @@ void Viewport::draw(Ui& ui, AppState& state, const Rect& place) {
   if (v.shows(Pane::Panels)) {
     const Impl::PaneScope scope(v, Pane::Panels);
     v.draw_suggestions(ui, state);
+    v.draw_names(ui, state);
     if (v.scale && v.shown) draw_legend(ui, v.place, *v.scale, v.colours);
   }
   draw_axes(ui, v.whole, v.camera);

@@ -15,6 +15,7 @@
 #include "ui/app_state.h"
 #include "ui/edit_choices.h"
 #include "ui/layout.h"
+#include "ui/look_at.h"
 #include "ui/render/camera.h"
 #include "ui/render/renderer.h"
 #include "ui/widgets.h"
@@ -36,7 +37,7 @@ class Viewport {
   void fit(const AppState& state);
   void reset_direction(const AppState& state);
   // Brings the point to the middle, from a side where nothing hides it: flies there.
-  void look_at(const Vector3d& scene_point, double radius);
+  void look_at(const LookAt& wish);
   bool flying() const;  // the next frame shows another picture
 
   std::optional<int> hovered_edge() const;
@@ -57,6 +58,7 @@ class Viewport {
   // Likewise the middle of the picture's nearest panel; for tests that orbit.
   const render::Camera& camera() const;
   // A picture was drawn since the last call; for the timings and for tests.
+  int names_drawn() const;  // of panels, in the newest frame
   bool take_redrawn();
 
  private:

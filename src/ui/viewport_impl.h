@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/workshop/tolerance_share.h"
 #include "ui/render/picking.h"
 #include "ui/render_target.h"
 #include "ui/viewport.h"
@@ -86,6 +87,8 @@ struct Viewport::Impl {
   Marked marked;
   std::shared_ptr<const PreparedFindings> coloured;  // whose severities the panels have
   HiddenFindings coloured_hidden;                    // without these
+  std::shared_ptr<const PreparedWorkshop> judged;    // whose shares of their limits the panels have
+  std::optional<ToleranceKind> judged_kind;          // of this one; none: of all
   // The flagged edges that are drawn, as indices into mesh->edges and as their ends.
   std::vector<int> flagged;
   std::vector<std::pair<int, int>> flagged_ends;
@@ -116,6 +119,17 @@ struct Viewport::Impl {
   std::shared_ptr<const EditPreview> previewed;  // of the edit whose ghost is shown
   bool right_press = false;
   std::optional<EditTarget> context_request;
+
+  // Names of the panels: which panels could be seen, and from where that was found out.
+  struct NamesSeen {
+    std::shared_ptr<const PreparedView> view;
+    Vector3d eye = Vector3d::Zero(), forward = Vector3d::Zero();
+    int width = 0, height = 0;
+    bool operator==(const NamesSeen&) const = default;
+  };
+  NamesSeen names_seen;
+  std::vector<char> names_in_sight;  // #panels
+  int names_drawn = 0;               // in the newest frame
 
   // Regions, as the renderer holds them.
   std::shared_ptr<const RegionView> regions;
@@ -233,6 +247,11 @@ struct Viewport::Impl {
     if (colours == ColourMap::Findings && coloured) {
       return {panel_severity(shown->complex(), coloured->diagnosis.findings, coloured_hidden), Vector()};
     }
+    if (colours == ColourMap::Tolerances && judged) {
+      return {
+          tolerance_shares(judged->passports, judged->verdicts, judged->job.contract.tolerances, judged_kind),
+          Vector()};
+    }
     if (colours == ColourMap::Planarity) return {shown->planarity.per_panel, Vector()};
     if (colours == ColourMap::Displacement) return {Vector(), shown->displacement.per_point};
     return {};
@@ -240,6 +259,7 @@ struct Viewport::Impl {
 
   bool in_sight(const render::Camera& from, const Vector3d& point) const;
   void turn_towards(const Vector3d& point);
+  void turn_to_face(const LookAt& wish);
   void upload_marks(const AppState& state);
   void take_flagged(const AppState& state);
   void mark_findings(const AppState& state, std::vector<render::Marker>& marks,
@@ -250,6 +270,8 @@ struct Viewport::Impl {
   bool edit_in_sight(const AppState& state, const Vector3d& at) const;
   void ring_edit(Ui& ui, const AppState& state, const MeshEdit& edit) const;
   void draw_suggestions(Ui& ui, AppState& state);
+  void look_for_names();
+  void draw_names(Ui& ui, const AppState& state);
   void explain_gain(Ui& ui, const AppState& state, int edge, bool may_flip) const;
 
   std::optional<int> edge_of_corner(const AppState& state, std::optional<int> corner) const;

@@ -72,6 +72,7 @@ void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, Co
   draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 0.0f, p.ink, scale.quantity);
   const std::string what = colours == ColourMap::Planarity      ? "corner to plane of its panel"
                            : colours == ColourMap::Displacement ? "point to wanted place"
+                           : colours == ColourMap::Tolerances   ? "share of the limit, worst place"
                                                                 : "worst at each panel";
   draw_text_aligned(draw, font, ImVec2(x0, y), ImVec2(x1, y + font->FontSize), 1.0f, p.ink_faint, what);
   y += font->FontSize + ui.px(4);
@@ -97,6 +98,14 @@ void draw_legend(Ui& ui, const Rect& place, const render::ColourScale& scale, Co
     draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, severity_word(0.0));
     draw_text_aligned(draw, font, low, high, 0.5f, p.ink_soft, severity_word(kHardToBuild));
     draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, "not to be built");
+    return;
+  }
+  if (colours == ColourMap::Tolerances) {
+    const float x = x0 + static_cast<float>(kKept) * (x1 - x0), reach = ui.px(60);
+    draw.AddLine(ImVec2(x, y - bar - ui.px(6)), ImVec2(x, y - ui.px(2)), p.ink_soft);
+    draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, "passes");
+    draw_text_aligned(draw, font, ImVec2(x - reach, low.y), ImVec2(x + reach, high.y), 0.5f, p.ink, "limit");
+    draw_text_aligned(draw, font, low, high, 1.0f, p.ink_soft, "fails, twice and more");
     return;
   }
   draw_text_aligned(draw, font, low, high, 0.0f, p.ink_soft, format_number(scale.low));

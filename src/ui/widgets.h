@@ -38,6 +38,7 @@ struct QuantityLook {
   double reset_value = 0.0;  // of a double click
   double least = -1e300;     // smaller entries become this
   double none = 0.0;         // what an emptied field means; 0: a field cannot be empty
+  double from_none = 0.0;    // where a drag or the wheel begins while there is no limit
   float width = 0;           // pixels; 0: as wide as there is room
   std::string_view tooltip = {};
 };

@@ -338,8 +338,8 @@ void Window::apply_wishes() {
   if (std::exchange(shown_.fit_wanted, false)) viewport_->fit(state_);
   if (std::exchange(shown_.reset_view_wanted, false)) viewport_->reset_direction(state_);
   if (const auto look = std::exchange(shown_.look_at, std::nullopt))
-    viewport_->look_at(look->point, look->radius);
-  if (const auto look = state_.take_look_at()) viewport_->look_at(look->point, look->radius);
+    viewport_->look_at(*look);
+  if (const auto look = state_.take_look_at()) viewport_->look_at(*look);
   if (theme_->dark() != shown_.settings.dark) theme_->set_dark(shown_.settings.dark);
 }
 

@@ -23,8 +23,9 @@ struct WindowState {
   bool own_metric = false;  // the weights of the clusters' measure are shown, whatever they are
   int right_tab = 0;        // findings, report, workshop
   bool tab_wanted = false;
-  std::optional<int> listed_finding, listed_suggestion;  // that the list has last brought into sight
-  std::optional<MeshEdit> suggestion_wanted;             // that was clicked in the list
+  std::optional<int> listed_finding, listed_suggestion,
+      listed_failure;                         // that a list has last brought into sight
+  std::optional<MeshEdit> suggestion_wanted;  // that was clicked in the list
   bool fit_wanted = false, reset_view_wanted = false;
   std::optional<LookAt> look_at;
   EditTarget context_target;  // of the menu that the right button opened

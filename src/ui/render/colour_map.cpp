@@ -16,6 +16,11 @@ constexpr int kSteps = 10;
 
 // Severities at these places, colours between them by straight lines.
 constexpr float kSeverities[] = {0.0f, 0.3f, 0.7f, 1.0f};
+// Of verdicts: what keeps the limit, from far below to at it; what fails, from hardly to twice the limit and
+// more.
+constexpr std::uint32_t kKeeps[] = {0xe9f1ec, 0x5a9f97};
+constexpr std::uint32_t kFails[] = {0xf2b14c, 0xb92a1e};
+
 constexpr std::uint32_t kSeverityColours[] = {0xf5e6c4, 0xf2c15c, 0xdf7a26, 0xbf2d20};
 
 glm::vec3 colour(std::uint32_t rgb) {
@@ -61,11 +66,23 @@ glm::vec3 severity_colour(float t) {
                   s > 0.0f ? std::min(s, 1.0f) : 0.0f);
 }
 
+glm::vec3 verdict_colour(float t) {
+  // Each side holds its end as far as the middle of the gap, so that no texture mixes the two.
+  constexpr float kMiddle = 0.5f * (kBreakBelow + kBreakAbove);
+  if (!(t > kMiddle))
+    return glm::mix(colour(kKeeps[0]), colour(kKeeps[1]), t > 0.0f ? std::min(t / kBreakBelow, 1.0f) : 0.0f);
+  return glm::mix(colour(kFails[0]), colour(kFails[1]),
+                  std::clamp((t - kBreakAbove) / (1.0f - kBreakAbove), 0.0f, 1.0f));
+}
+
 ColourTable viridis_table() {
   return table_of(viridis);
 }
 ColourTable severity_table() {
   return table_of(severity_colour);
+}
+ColourTable verdict_table() {
+  return table_of(verdict_colour);
 }
 
 MapScale map_scale(const ColourScale& scale) {
@@ -97,7 +114,15 @@ float map_position(const MapScale& scale, float value) {
 
 glm::vec3 colour_of(const ColourScale& scale, double value) {
   const float t = map_position(map_scale(scale), static_cast<float>(value));
-  return scale.map == ColourScale::Map::Severity ? severity_colour(t) : viridis(t);
+  switch (scale.map) {
+    case ColourScale::Map::Severity:
+      return severity_colour(t);
+    case ColourScale::Map::Verdict:
+      return verdict_colour(t);
+    case ColourScale::Map::Viridis:
+      break;
+  }
+  return viridis(t);
 }
 
 }  // namespace planewright::render

@@ -77,7 +77,7 @@ Result<Renderer> Renderer::create(const std::filesystem::path& shader_folder) {
   if (!programs) return tl::unexpected(programs.error());
   impl->programs = std::move(*programs);
   impl->no_attributes = GlVertexArray::create();
-  const ColourTable tables[] = {viridis_table(), severity_table()};
+  const ColourTable tables[] = {viridis_table(), severity_table(), verdict_table()};
   for (std::size_t i = 0; i < std::size(tables); ++i) {
     impl->maps[i] =
         make_texture(GL_RGBA8, GL_RGBA, static_cast<int>(tables[i].size() / 4), 1, tables[i].data());

@@ -69,7 +69,7 @@ struct Renderer::Impl {
   std::filesystem::file_time_type shaders_from;
   Programs programs;
   GlVertexArray no_attributes;  // for what the shaders make from the vertex's number
-  GlTexture maps[2];            // by ColourScale::Map
+  GlTexture maps[3];            // by ColourScale::Map
   GlTexture region_maps[2];     // of the light and the dark palette
 
   PanelBuffer panels, ghost;

@@ -48,7 +48,7 @@ struct ColourScale {
   std::string quantity;             // "Planarity"
   std::string unit;                 // "mm", "m"
   std::optional<double> tolerance;  // a hard break in the map here
-  enum class Map { Viridis, Severity } map = Map::Viridis;
+  enum class Map { Viridis, Severity, Verdict } map = Map::Viridis;
 };
 
 struct Scene {
