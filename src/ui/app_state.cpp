@@ -6,6 +6,7 @@
 
 #include "core/design/design.h"
 #include "core/edit/design_edits.h"
+#include "core/edit/project_file.h"
 #include "core/mesh/closest_point.h"
 #include "core/mesh/mesh_io.h"
 #include "core/mesh/sample_shapes.h"
@@ -71,8 +72,12 @@ AppState::~AppState() {
 
 void AppState::open_file(const std::filesystem::path& path) {
   begin_load(path.filename().string(), [path]() -> Result<Loaded> {
+    if (is_project_file(path)) return load_project_file(path);
     return load_mesh(path).map([&](CheckedMesh&& mesh) {
-      return Loaded{std::move(mesh), path.filename().string()};
+      Loaded loaded;
+      loaded.mesh = std::move(mesh);
+      loaded.name = path.filename().string();
+      return loaded;
     });
   });
 }
@@ -82,7 +87,10 @@ void AppState::open_sample(std::string sample, int panels) {
     return make_sample(sample, panels).and_then([&](PolygonMesh&& mesh) -> Result<Loaded> {
       // Through the same check as a file, so that the report tells of borders and components too.
       return check_and_repair(mesh.positions(), mesh.faces()).map([&](CheckedMesh&& checked) {
-        return Loaded{std::move(checked), sample};
+        Loaded loaded;
+        loaded.mesh = std::move(checked);
+        loaded.name = sample;
+        return loaded;
       });
     });
   });
@@ -98,7 +106,21 @@ void AppState::begin_load(std::string name, std::function<Result<Loaded>()> load
 }
 
 void AppState::adopt(Loaded loaded) {
-  LayerSettings settings = default_settings(loaded.mesh.mesh);
+  if (loaded.project) {
+    adopt_project(std::move(loaded));
+  } else {
+    adopt_mesh(std::move(loaded));
+  }
+  saved_state_ = document_state();
+  const HealthReport& health = document_.health();
+  if (!health.healthy()) {
+    post(Message::Kind::Warning, "the mesh has defects: " + health.summary(), document_.name(),
+         "See Report on the right for every place.");
+  }
+}
+
+void AppState::adopt_mesh(Loaded loaded) {
+  LayerSettings settings = default_settings(loaded.mesh->mesh);
   // The designer's weights and policies outlive the model, and so does what the workshop asks for; mode and
   // offset belong to it.
   WorkshopContract contract = document_.contract();
@@ -109,9 +131,18 @@ void AppState::adopt(Loaded loaded) {
     settings.border = document_.settings().border;
     settings.freedom = document_.settings().freedom;
   }
-  document_.open(std::move(loaded.mesh), std::move(loaded.name), std::move(settings), std::move(contract));
-  ++opened_count_;
+  document_.open(std::move(*loaded.mesh), std::move(loaded.name), std::move(settings), std::move(contract));
+  project_path_.clear();
+  begin_design();
+  start_afresh_ = true;
+  background_wanted_ = true;
+  refresh_stale();
+  solve_wanted_ = true;
+}
 
+// Nothing of the design before stays, and nothing is known of the new one.
+void AppState::begin_design() {
+  ++opened_count_;
   runs_.clear();
   match_runs();
   end_advice();
@@ -135,23 +166,16 @@ void AppState::adopt(Loaded loaded) {
   last_fingerprint_ = 0;
   merging_ = false;
   solve_is_step_ = false;
-  start_afresh_ = true;
+  start_afresh_ = false;
+  solve_wanted_ = false;
   solving_run_ = 0;  // what the session still delivers is nobody's
   outcome_due_ = false;
-  background_wanted_ = true;
+  background_wanted_ = false;
   session_.stop();
-  refresh_stale();
 
   const Points& positions = document_.mesh()->positions();
   scene_origin_ = 0.5 * (positions.colwise().minCoeff() + positions.colwise().maxCoeff()).transpose();
   refresh_mesh_view();
-  solve_wanted_ = true;
-
-  const HealthReport& health = document_.health();
-  if (!health.healthy()) {
-    post(Message::Kind::Warning, "the mesh has defects: " + health.summary(), document_.name(),
-         "See Report on the right for every place.");
-  }
 }
 
 bool AppState::can_export() const {
@@ -334,6 +358,7 @@ bool AppState::update(Clock::time_point now) {
       post(exported->error());
     }
   }
+  changed |= update_saving();
   changed |= update_clusters();
   changed |= take_reference();
   if (reference_missing()) solve_wanted_ = false;
@@ -432,6 +457,7 @@ void AppState::take_outcome(LayerRun& of, SolveOutcome outcome) {
   if (of.complaint != 0) dismiss(std::exchange(of.complaint, 0));
   const std::string where = layer_count() > 1 ? document_.name() + ", " + of.layer.name : document_.name();
   of.made_with.reset();
+  of.saved = false;
   of.polish_declined = false;
   if (!outcome.report) {
     of.failed = true;

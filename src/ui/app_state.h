@@ -40,6 +40,10 @@
 #include "ui/suggestion_list.h"
 #include "ui/view_preparer.h"
 
+namespace planewright {
+struct ReadProject;
+}
+
 namespace planewright::ui {
 
 using Clock = std::chrono::steady_clock;
@@ -88,6 +92,7 @@ inline bool changes_regions(Tool tool) {
 // How a layer stands.
 enum class LayerStatus {
   Waiting,    // to be solved
+  Saved,      // as the project had it, not solved since
   Solving,    // at present
   Done,       // converged, every demand met
   Planar,     // planar, but stopped before it converged
@@ -105,10 +110,16 @@ class AppState {
   AppState& operator=(const AppState&) = delete;
 
   // --- Files. Read and written off the window's thread; errors become messages and lose nothing.
-  void open_file(const std::filesystem::path& path);
+  void open_file(const std::filesystem::path& path);  // a mesh or a project
   void open_sample(std::string sample, int panels = 0);
   bool loading() const { return loader_.running(); }
   const std::string& loading_name() const { return loading_name_; }
+  // All of the design with its solved panels, and from then on its file; see project_file.h.
+  void save_project(const std::filesystem::path& path);
+  bool saving() const { return saver_.running(); }
+  const std::filesystem::path& project_path() const { return project_path_; }  // empty: never saved
+  bool modified() const;                                                       // since it was opened or saved
+  std::string title() const;  // the project's file, or the name of the mesh
   bool can_export() const;
   void export_panels(const std::filesystem::path& path);
   bool exporting() const { return exporter_.running(); }
@@ -131,6 +142,8 @@ class AppState {
   // --- Layers. The active one is what edits, picking, findings and colours are about.
   int layer_count() const { return static_cast<int>(document_.design().layers.size()); }
   int active_layer() const { return document_.active_layer(); }
+  // The active layer's panels are as a project had them.
+  bool shows_saved() const { return run(active_layer()).saved; }
   void set_active_layer(int layer);
   void add_layer();  // and makes it the active one; so does the next
   void duplicate_layer(int layer);
@@ -364,9 +377,17 @@ class AppState {
   FrameTimings timings;
 
  private:
-  struct Loaded {
-    CheckedMesh mesh;
+  struct Loaded {  // a mesh or a project
+    std::optional<CheckedMesh> mesh;
+    std::shared_ptr<ReadProject> project;
+    std::filesystem::path path;                                                // of the project
+    std::optional<Result<std::shared_ptr<const ReferenceSurface>>> reference;  // that the project names
     std::string name;
+  };
+  // Equal: nothing that a project file keeps has changed.
+  struct DocumentState {
+    std::uint64_t revision = 0, names_given = 0;
+    bool operator==(const DocumentState&) const = default;
   };
 
   // What a layer is solved from.
@@ -403,6 +424,7 @@ class AppState {
     std::uint64_t history_ticket = 0;
     double milliseconds_per_step = 0.0;
     std::optional<SolveReport> report;
+    bool saved = false;                   // the newest state is as a project had it; there is no report
     std::optional<SolverKind> made_with;  // what was asked for when that result was made; none: no result
     bool polish_wanted = false;           // the designer has asked for it
     bool polish_declined = false;         // a polish of this result has come to nothing
@@ -424,12 +446,21 @@ class AppState {
   void show_settings_of_views();
   void submit(LayerRun& of);
   bool take_reference();
+  void set_reference(std::string path, Result<std::shared_ptr<const ReferenceSurface>> read);
   bool reference_missing() const;  // the one that the design names could not be used: nothing is solved
   void hold_without_reference();
   bool reference_ready() const;
 
   void begin_load(std::string name, std::function<Result<Loaded>()> load);
   void adopt(Loaded loaded);
+  void adopt_mesh(Loaded loaded);
+  void begin_design();
+  static Result<Loaded> load_project_file(const std::filesystem::path& path);
+  void adopt_project(Loaded loaded);
+  // A layer's panels, as they were saved; false if they cannot be of this design.
+  bool show_saved(LayerRun& of, const Layer& layer, State state);
+  DocumentState document_state() const;
+  bool update_saving();
   void document_changed();
   void tell_of_dropped(const std::vector<std::string>& dropped);
   bool mesh_edited(const Result<std::vector<std::string>>& edited, std::uint64_t revision, bool drags);
@@ -494,6 +525,9 @@ class AppState {
   Document document_;
   BackgroundTask<Result<Loaded>> loader_;
   BackgroundTask<Result<std::string>> exporter_;
+  BackgroundTask<Result<std::filesystem::path>> saver_;
+  std::filesystem::path project_path_;
+  DocumentState saved_state_, saving_state_;  // as it was last saved or opened; as it is being saved
   std::string loading_name_;
   std::function<void()> load_next_;  // asked for while another was loading
   std::uint64_t opened_count_ = 0;

@@ -160,18 +160,22 @@ void AppState::hold_without_reference() {
   reference_complaint_ = messages_posted();
 }
 
+void AppState::set_reference(std::string path, Result<std::shared_ptr<const ReferenceSurface>> read) {
+  reference_path_ = std::move(path);
+  reference_.reset();
+  reference_error_.reset();
+  if (read) {
+    reference_ = std::move(*read);
+  } else {
+    reference_error_ = read.error();
+    if (reference_missing()) hold_without_reference();
+  }
+}
+
 bool AppState::take_reference() {
   bool changed = false;
   if (auto loaded = reference_loader_.take()) {
-    reference_path_ = std::move(loaded->first);
-    reference_.reset();
-    reference_error_.reset();
-    if (loaded->second) {
-      reference_ = std::move(*loaded->second);
-    } else {
-      reference_error_ = loaded->second.error();
-      if (reference_missing()) hold_without_reference();
-    }
+    set_reference(std::move(loaded->first), std::move(loaded->second));
     changed = true;
   }
   const std::string& wanted = document_.design().reference;
@@ -263,6 +267,7 @@ LayerStatus AppState::layer_status(int layer) const {
   const LayerRun& of = run(layer);
   if (outcome_due_ && solving_run_ == of.id) return LayerStatus::Solving;
   if (of.failed) return LayerStatus::Failed;
+  if (of.saved && !of.stale) return LayerStatus::Saved;
   if (!of.report || of.stale) return LayerStatus::Waiting;
   switch (of.report->status) {
     case SolveStatus::Failed:

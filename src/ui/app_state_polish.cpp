@@ -38,7 +38,7 @@ int AppState::next_to_polish() const {
     if (!can_polish(of)) continue;
     // By itself only what came to a good end, once, and not after the designer has said stop.
     const bool by_itself =
-        polish_automatically_ && background_wanted_ && !of.polish_declined &&
+        polish_automatically_ && background_wanted_ && !of.polish_declined && of.report &&
         (of.report->status == SolveStatus::Converged || of.report->status == SolveStatus::Planar);
     if (of.polish_wanted || by_itself) return i;
   }
@@ -51,7 +51,7 @@ bool AppState::takes_over(const LayerRun& of, const SolveOutcome& polish) {
   const SolveStatus status = polish.report->status;
   if (status == SolveStatus::Converged) return true;
   const bool planar = status == SolveStatus::Planar || status == SolveStatus::Infeasible;
-  return planar && of.report->status != SolveStatus::Converged;
+  return planar && of.report && of.report->status != SolveStatus::Converged;
 }
 
 void AppState::decline_polish(LayerRun& of, const SolveOutcome& polish) {

@@ -27,6 +27,8 @@ Standing standing(const Desk& desk, int layer) {
   switch (state.layer_status(layer)) {
     case LayerStatus::Waiting:
       return {state.solving() ? "waits for its turn" : "not solved yet", p.ink_faint};
+    case LayerStatus::Saved:
+      return {"as saved", p.good};
     case LayerStatus::Solving:
       return {"solving", p.accent};
     case LayerStatus::Done: {

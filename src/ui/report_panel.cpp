@@ -49,7 +49,9 @@ void draw_solve_report(Desk& desk) {
   Ui& ui = desk.ui;
   const SolveReport* report = desk.state.report();
   if (report == nullptr) {
-    ui.small_text(desk.state.solving() ? "Solving…" : "No solve yet.");
+    ui.small_text(desk.state.solving()       ? "Solving…"
+                  : desk.state.shows_saved() ? "As the project has it. Space solves it anew."
+                                             : "No solve yet.");
     return;
   }
   ui.value_row("Result", planewright::name(report->status),

@@ -81,6 +81,7 @@ SolveStanding standing_of(const AppState& state) {
   standing.polished = state.polished();
   standing.outdated = !state.up_to_date();
   standing.report = state.report();
+  standing.saved = state.shows_saved();
   if (const auto at = state.solving_layer(); at && *at != state.active_layer()) {
     standing.other_layer = state.document().design().layers[static_cast<std::size_t>(*at)].name;
   }
@@ -106,6 +107,12 @@ SolveBadge solve_badge(const SolveStanding& standing, const std::string& unit) {
     describe_running(standing, badge);
   } else if (standing.report != nullptr) {
     describe_result(standing, badge);
+  } else if (standing.saved) {
+    badge.tone = standing.outdated ? Tone::Warning : Tone::Good;
+    badge.headline = standing.outdated ? "As saved, older than the design" : "As saved";
+    badge.explanation = standing.outdated
+                            ? "The design has been changed since; Space solves it."
+                            : "These are the panels that the project holds; Space solves it anew.";
   } else if (standing.planarity) {
     badge.tone = Tone::Warning;  // the newest solve was refused; what is shown is of one before
     badge.headline = "Not solved";

@@ -24,6 +24,7 @@ struct SolveStanding {
   bool polishing = false;  // that solve is a polish
   bool polished = false;   // the result is one of a polish
   bool outdated = false;   // the result is of an earlier design
+  bool saved = false;      // what is shown is as a project had it; there is no report
   std::string made_by;     // what is shown: "tangent", "ipopt", "tangent, ipopt"; empty: nothing is shown
   const SolveReport* report = nullptr;  // of the newest result; null: none
   const Iteration* newest = nullptr;    // step of the running solve; null: none yet
