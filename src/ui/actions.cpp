@@ -18,7 +18,12 @@ const std::vector<ActionInfo>& action_list() {
   const auto shifted = [](int k) { return KeyPress{k, false, true, false}; };
   static const std::vector<ActionInfo> list = {
       {Action::Open, "open", "Open…", "Ctrl O", {ctrl(GLFW_KEY_O)}},
-      {Action::Export, "export", "Export panels…", "Ctrl E", {ctrl(GLFW_KEY_E)}},
+      {Action::Export, "export", "Save panels as mesh…", "Ctrl E", {ctrl(GLFW_KEY_E)}},
+      {Action::ExportWorkshop,
+       "export workshop",
+       "Export for the workshop…",
+       "Ctrl Shift E",
+       {ctrl(GLFW_KEY_E, true)}},
       {Action::Quit, "quit", "Quit", "Ctrl Q", {ctrl(GLFW_KEY_Q)}},
       {Action::Undo, "undo", "Undo", "Ctrl Z", {ctrl(GLFW_KEY_Z)}},
       {Action::Redo, "redo", "Redo", "Ctrl Shift Z", {ctrl(GLFW_KEY_Z, true), ctrl(GLFW_KEY_Y)}},
@@ -278,10 +283,17 @@ std::string Actions::label(Action action) const {
   }
 }
 
+// The dialog lies over the model: its keys rest, but for what concerns the dialog too.
+bool Actions::rests(Action action) const {
+  return window_.export_dialog.open && action != Action::Undo && action != Action::Redo &&
+         action != Action::ClearSelection && action != Action::ExportWorkshop &&
+         action != Action::DarkTheme && action != Action::Quit;
+}
+
 bool Actions::press(const KeyPress& key) {
   for (const ActionInfo& candidate : action_list()) {
     if (std::find(candidate.keys.begin(), candidate.keys.end(), key) == candidate.keys.end()) continue;
-    if (enabled(candidate.action)) request(candidate.action);
+    if (enabled(candidate.action) && !rests(candidate.action)) request(candidate.action);
     return true;
   }
   return false;
@@ -367,6 +379,9 @@ void Actions::run(Action action) {
                            stem + "-panels.obj");
       break;
     }
+    case Action::ExportWorkshop:
+      window_.export_dialog_wanted = true;
+      break;
     case Action::Quit:
       window_.quit = true;
       break;
@@ -484,6 +499,8 @@ void Actions::run(Action action) {
     case Action::ClearSelection:
       if (window_.show_keys || window_.show_about) {
         window_.show_keys = window_.show_about = false;
+      } else if (window_.export_dialog.open) {
+        window_.export_dialog.open = false;
       } else if (state_.tool != Tool::Look) {
         state_.tool = Tool::Look;
       } else {

@@ -16,6 +16,7 @@ namespace planewright::ui {
 enum class Action {
   Open,
   Export,
+  ExportWorkshop,
   Quit,
   Undo,
   Redo,
@@ -111,6 +112,7 @@ class Actions {
 
  private:
   void run(Action action);
+  bool rests(Action action) const;
   void change_selection(Action action);
   void set_mode(ComplexKind mode);
   void take_tool(Tool tool);

@@ -63,7 +63,7 @@ const char* name(ColourMap map) {
 }
 
 AppState::AppState(std::function<void()> wake)
-    : wake_(std::move(wake)), preparer_(wake_), session_(wake_), advice_task_(wake_) {}
+    : wake_(std::move(wake)), preparer_(wake_), session_(wake_), advice_task_(wake_), export_work_(wake_) {}
 AppState::~AppState() {
   cluster_stop_.request_stop();
 }
@@ -376,6 +376,7 @@ bool AppState::update(Clock::time_point now) {
     }
   }
   changed |= update_workshop();
+  changed |= update_export();
   changed |= update_advice();
   const auto old = std::remove_if(messages_.begin(), messages_.end(), [&](const Message& m) {
     return m.kind <= Message::Kind::Refused && now - m.posted > 8s;

@@ -30,6 +30,7 @@
 #include "core/edit/select.h"
 #include "ui/advice_task.h"
 #include "ui/background_task.h"
+#include "ui/export_work.h"
 #include "ui/failure_list.h"
 #include "ui/finding_list.h"
 #include "ui/frame_timings.h"
@@ -241,8 +242,9 @@ class AppState {
   bool workshop_fits() const;  // it is of the very state that is shown, and of the present contract
   // Why the newest panels can be nothing to a workshop.
   const std::optional<Error>& workshop_error() const { return workshop_error_; }
-  // Names that have gone to the workshop stay with the active layer's panels.
-  void keep_names(const WorkshopModel& model);
+  // Names that have gone to the workshop stay with the active layer's panels, or those of another.
+  void keep_names(const WorkshopModel& model) { keep_names(model, active_layer()); }
+  void keep_names(const WorkshopModel& model, int layer);
   // Selects a panel that is shown, and asks the viewport to go there.
   void show_panel(int panel);
   // What fails the tolerance sheet, of kinds that are not hidden.
@@ -252,6 +254,29 @@ class AppState {
   // Selects the panel, and asks the viewport to go to the place.
   void show_failure(int row);
   void walk_failures(int by);
+
+  // --- Export for the workshop: the files of the shown panels, certified. Prepared in the background while
+  // it is wanted, anew after every change; written in the background.
+  std::optional<ExportChoice> wanted_export;  // the window says each frame what the open dialog wants
+  // Why nothing can be exported now, and what to do.
+  std::optional<Error> why_no_export() const;
+  bool export_preparing() const;
+  // Of the panels that are shown, perhaps with settings of shortly before; null until it is there.
+  const PreparedExport* export_preparation() const;
+  const std::optional<Error>& export_refusal() const { return export_work_.refusal(); }  // to prepare
+  // Once it is prepared. False if nothing can be exported now, or an export is under way. Its names are kept
+  // when it comes to an end; while nothing is wanted any more, that becomes a message.
+  bool export_panels_to_workshop(const ExportChoice& choice, const std::filesystem::path& folder,
+                                 bool overwrite);
+  bool exporting_to_workshop() const { return export_work_.writing(); }
+  void stop_export() { export_work_.stop(); }
+  bool export_stopping() const { return export_work_.stopping(); }
+  ExportStage export_stage() const { return export_work_.stage(); }
+  // How the newest export ended; nothing while one is under way, before the first, or once forgotten.
+  const std::optional<ExportOutcome>& export_outcome() const { return export_outcome_; }
+  const std::optional<Error>& export_error() const { return export_error_; }
+  bool export_stopped() const { return export_stopped_; }
+  void forget_export_outcome();
 
   // --- Suggestions: edits of the mesh that would better the active layer's panels, each rated by solving
   // its neighbourhood. A worker begins once a solve has come to a result and nothing else is under way, and
@@ -511,6 +536,11 @@ class AppState {
   bool update_workshop();
   void follow_failure();
 
+  std::optional<ExportJob> export_job(const ExportChoice& choice) const;  // nothing: there is none now
+  void prepare(const ExportJob& job);
+  bool update_export();
+  void take_export(ExportEnd end);
+
   bool update_advice();
   bool take_advice();
   bool may_advise() const;
@@ -609,6 +639,14 @@ class AppState {
   std::optional<ToleranceFailure> current_failure_;
   int next_failure_ = 0;
 
+  std::shared_ptr<const WorkshopModel> export_model_;  // of the newest preparation
+  std::shared_ptr<const Iterate> export_iterate_;      // whose panels these are
+  std::uint64_t export_layer_ = 0;                     // of the newest export
+  PanelSeries export_series_{};                        // likewise
+  std::optional<ExportOutcome> export_outcome_;
+  std::optional<Error> export_error_;
+  bool export_stopped_ = false;
+
   int iterates_before_end_ = 0;
   std::uint64_t last_fingerprint_ = 0;
   double planarity_range_ = 0.0, displacement_range_ = 0.0;
@@ -629,6 +667,7 @@ class AppState {
   ViewPreparer preparer_;
   SolveSession session_;
   AdviceTask advice_task_;
+  ExportWork export_work_;
 };
 
 }  // namespace planewright::ui

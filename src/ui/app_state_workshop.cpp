@@ -95,10 +95,10 @@ bool AppState::workshop_fits() const {
   return workshop() != nullptr && workshop_is_of(workshop_->job);
 }
 
-void AppState::keep_names(const WorkshopModel& model) {
+void AppState::keep_names(const WorkshopModel& model, int layer) {
   std::map<int, std::string> names;
   for (std::size_t p = 0; p < model.names.size(); ++p) names[model.numbers[p]] = model.names[p];
-  if (const auto kept = document_.keep_names(active_layer(), names); !kept) post(kept.error());
+  if (const auto kept = document_.keep_names(layer, names); !kept) post(kept.error());
   ++names_given_;
 }
 

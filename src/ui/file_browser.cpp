@@ -64,7 +64,7 @@ void FileBrowser::enter(const fs::path& folder) {
     std::error_code ignored;  // a file that vanishes meanwhile is simply not listed
     entry.is_folder = item.is_directory(ignored);
     if (!entry.is_folder) {
-      if (!item.is_regular_file(ignored) || !is_mesh_name(item.path())) continue;
+      if (choosing_folder() || !item.is_regular_file(ignored) || !is_mesh_name(item.path())) continue;
       entry.size = item.file_size(ignored);
       if (ignored) continue;
     }
@@ -94,6 +94,10 @@ std::optional<fs::path> FileBrowser::accept() {
   trouble_.clear();
   std::string name = name_;
   if (name.empty() && selected_ >= 0) name = entries_[static_cast<std::size_t>(selected_)].name;
+  if (name.empty() && choosing_folder()) {
+    is_open_ = false;
+    return folder_;
+  }
   if (name.empty()) {
     trouble_ = saving() ? "Give the file a name." : "Choose a file, or type its name.";
     return std::nullopt;
@@ -101,6 +105,14 @@ std::optional<fs::path> FileBrowser::accept() {
   if (name == "~" || name.starts_with("~/")) name = home_folder().string() + name.substr(1);
   fs::path path = fs::path(name).is_absolute() ? fs::path(name) : folder_ / name;
   std::error_code error;
+  if (choosing_folder()) {
+    if (fs::exists(path, error) && !fs::is_directory(path, error)) {
+      trouble_ = path.filename().string() + " is a file. Choose a folder, or give a new one a name.";
+      return std::nullopt;
+    }
+    is_open_ = false;
+    return path.lexically_normal();
+  }
   if (fs::is_directory(path, error)) {
     enter(path);
     if (!saving()) name_.clear();
@@ -212,7 +224,9 @@ bool FileBrowser::draw_entries(Ui& ui, float height) {
     ImGui::PopID();
   }
   scroll_to_selected_ = false;
-  if (entries_.empty()) ui.small_text("No folders and no meshes (.obj .off .ply .stl) here.");
+  if (entries_.empty())
+    ui.small_text(choosing_folder() ? "No folders here."
+                                    : "No folders and no meshes (.obj .off .ply .stl) here.");
   if (ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive()) {
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Backspace)) && folder_.has_parent_path()) {
       enter(folder_.parent_path());
@@ -224,7 +238,7 @@ bool FileBrowser::draw_entries(Ui& ui, float height) {
     const Entry entry = entries_[*opened];
     if (entry.is_folder) {
       enter(folder_ / entry.name);
-      if (!saving()) name_.clear();
+      if (!saving()) name_.clear();  // of what was entered
     } else {
       accepted = true;
     }
@@ -245,7 +259,9 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(14)));
-  const char* title = saving() ? "Export panels###files" : "Open a mesh###files";
+  const char* title = choosing_folder() ? "Choose a folder###files"
+                      : saving()        ? "Save panels as mesh###files"
+                                        : "Open a mesh###files";
   bool keep_open = true;
   ImGui::Begin(title, &keep_open,
                ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
@@ -267,9 +283,10 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
     } else if (!trouble_.empty()) {
       ui.wrapped(trouble_, ui.colours().error);
     } else {
-      ui.small_text(saving()
-                        ? "The ending picks the format: .obj, .off, .ply or .stl."
-                        : "Arrow keys choose, Enter opens, Escape closes. Or drop a file on the window.");
+      ui.small_text(
+          choosing_folder() ? "A double click goes into a folder. The name can be that of a new one."
+          : saving()        ? "The ending picks the format: .obj, .off, .ply or .stl."
+                            : "Arrow keys choose, Enter opens, Escape closes. Or drop a file on the window.");
     }
 
     // The name and what to do with it.
@@ -278,7 +295,11 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button - 2 * space -
                             (saving() ? format + space : 0));
     if (appearing_) ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputTextWithHint("##name", saving() ? "name of the new file" : "name or path", &name_,
+    if (ImGui::InputTextWithHint("##name",
+                                 choosing_folder() ? "name of a folder here"
+                                 : saving()        ? "name of the new file"
+                                                   : "name or path",
+                                 &name_,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
       wants = true;
     }
@@ -307,7 +328,7 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
     if (ui.button("cancel", "Cancel", look)) keep_open = false;
     ImGui::SameLine();
     look.primary = true;
-    if (ui.button("accept", saving() ? "Export" : "Open", look)) wants = true;
+    if (ui.button("accept", choosing_folder() ? "Choose" : saving() ? "Save" : "Open", look)) wants = true;
 
     if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) {
       if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) move_selection(1);

@@ -1,8 +1,9 @@
 // FileBrowser: opening and saving files inside the window, so that nothing blocks and a test can drive it.
 //
 // A name typed or a row chosen, then Enter or the button; a folder is entered, a file is returned. Saving
-// over a file that exists asks once more, in the same place. Threads: the window's; folders are read when
-// entered.
+// over a file that exists asks once more, in the same place. Where a folder is chosen, the name is that of
+// one in the folder that is seen, there or not; without a name it is that folder itself. Threads: the
+// window's; folders are read when entered.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,7 @@ namespace planewright::ui {
 
 class FileBrowser {
  public:
-  enum class Purpose { OpenMesh, ExportPanels };
+  enum class Purpose { OpenMesh, ExportPanels, ChooseFolder };
 
   // `folder`: where to begin; the working directory if it is empty or gone. `name`: what to call a new file.
   void open(Purpose purpose, const std::filesystem::path& folder, std::string name = {});
@@ -38,6 +39,7 @@ class FileBrowser {
   };
   void enter(const std::filesystem::path& folder);
   bool saving() const { return purpose_ == Purpose::ExportPanels; }
+  bool choosing_folder() const { return purpose_ == Purpose::ChooseFolder; }
   std::optional<std::filesystem::path> accept();
   void move_selection(int by);
   void draw_places(Ui& ui);

@@ -71,6 +71,7 @@ float draw_menu_bar(Desk& desk) {
         ImGui::EndMenu();
       }
       ImGui::Separator();
+      item(desk, Action::ExportWorkshop);
       item(desk, Action::Export);
       ImGui::Separator();
       item(desk, Action::Quit);
@@ -252,11 +253,11 @@ void draw_toolbar(Desk& desk, const Rect& place) {
   ButtonLook look;
   look.has_icon = true;
   look.icon = Icon::Export;
-  look.enabled = desk.actions.enabled(Action::Export);
+  look.enabled = desk.actions.enabled(Action::ExportWorkshop);
   look.width = ui.px(128);
-  look.tooltip = "Write the panels as OBJ, OFF, PLY or STL  (Ctrl E)";
+  look.tooltip = "Certified files for the workshop: sheets, schedules, solids  (Ctrl Shift E)";
   ImGui::SameLine(place.width() - look.width - ui.px(12));
-  if (ui.button("export", "Export…", look)) desk.actions.request(Action::Export);
+  if (ui.button("export", "Export…", look)) desk.actions.request(Action::ExportWorkshop);
   draw_rim(ui, place, Side::Bottom);
   end_part();
 }

@@ -11,12 +11,13 @@
 //   click_border N|any M|beside                                drag_region N|any M|beside
 //   key Ctrl+Z         type TEXT          export PATH          screenshot FILE.png
 //   expect KEY OP VALUE                   remember KEY NAME    print [KEY ...]       dump_ui
-//   clear_timings
+//   clear_timings      wait_export S
 //
 // The region nearest to the middle of the input's view: any; one that lies beside it: beside. The commands
 // leave their numbers as $region and $neighbour.
 // The edge nearest to the middle of the view that can be flipped: any; that a finding flags: flagged; that
 // cannot be flipped: stuck. All three commands on edges know these, and leave its number as $edge.
+// wait_export: until what the export dialog wants is prepared, or cannot be, and nothing is being written.
 // MODS are keys that are held, like "Shift" or "Ctrl+Alt".
 // PATH of a control is "Panel/name" in quotes where it has spaces; FRACTION is of a slider's travel. OP is
 // one of == != < <= > >= contains. VALUE may be $NAME, a value that was remembered. # begins a comment.

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/workshop/tolerance_share.h"
+#include "ui/export_text.h"
 #include "ui/finding_text.h"
 #include "ui/layer_edits.h"
 #include "ui/script.h"
@@ -212,6 +213,58 @@ std::optional<std::string> cluster_value(const DriverContext& c, const std::stri
   return std::nullopt;
 }
 
+// Of the export dialog. export_open; export_why: why nothing can be exported, or empty; export_preparing,
+// export_running; export_sheets (drawings), export_sheet (that is seen, from 0), export_sheet_line,
+// export_filled, export_parts_unplaced, export_failing, export_remarks: "none" until they are known;
+// export_zoom: pixels per mm; export_refusal, export_error; export_stopped; export_pass, export_files,
+// export_folder: of the newest result, "none" before it; export_chosen_folder, export_formats: of the dialog.
+std::optional<std::string> export_value(const DriverContext& c, const std::string& key) {
+  const AppState& state = c.state;
+  const ExportDialog& dialog = c.window.export_dialog;
+  const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
+  if (key == "export_open") return flag(dialog.open);
+  if (key == "export_why") return state.why_no_export() ? state.why_no_export()->what : "";
+  if (key == "export_preparing") return flag(state.export_preparing());
+  if (key == "export_running") return flag(state.exporting_to_workshop());
+  if (key == "export_stopped") return flag(state.export_stopped());
+  if (key == "export_refusal") return state.export_refusal() ? state.export_refusal()->what : "";
+  if (key == "export_error") return state.export_error() ? state.export_error()->text() : "";
+  if (key == "export_chosen_folder") return dialog.folder;
+  if (key == "export_zoom") return text_of(dialog.preview.pixels_per_mm());
+  if (key == "export_sheet") return text_of(dialog.sheet);
+  if (key == "export_formats") {
+    std::string names;
+    for (const ExportFormat format : c.window.settings.workshop_export.formats)
+      names += (names.empty() ? "" : " ") + std::string(name_of(format));
+    return names;
+  }
+  const auto& outcome = state.export_outcome();
+  if (key == "export_pass") return outcome ? flag(outcome->certificate.pass()) : "none";
+  if (key == "export_files") return outcome ? std::to_string(outcome->files.size()) : "none";
+  if (key == "export_folder") return outcome ? outcome->folder.string() : "none";
+  if (!key.starts_with("export_")) return std::nullopt;
+  const PreparedExport* prepared = state.export_preparation();
+  if (prepared == nullptr) return "none";
+  const ExportPreparation& made = prepared->made;
+  if (key == "export_sheets") return std::to_string(made.drawings.size());
+  if (key == "export_sheet_line") return sheet_line(made, dialog.sheet);
+  if (key == "export_filled") return text_of(made.nesting ? made.nesting->filled : 0.0);
+  if (key == "export_parts_unplaced") return std::to_string(made.nesting ? made.nesting->unplaced.size() : 0);
+  if (key == "export_failing") return text_of(made.verdicts.failed);
+  if (key == "export_remarks") return std::to_string(made.remarks.size());
+  if (key == "export_first_part") {  // of the sheet that is seen
+    if (!made.nesting || dialog.sheet >= static_cast<int>(made.nesting->sheets.size())) return "none";
+    const auto& parts = made.nesting->sheets[static_cast<std::size_t>(dialog.sheet)].parts;
+    return parts.empty() ? "none" : prepared->job.model->names[static_cast<std::size_t>(parts.front().panel)];
+  }
+  if (key == "export_first_panel") {
+    if (!made.nesting || dialog.sheet >= static_cast<int>(made.nesting->sheets.size())) return "none";
+    const auto& parts = made.nesting->sheets[static_cast<std::size_t>(dialog.sheet)].parts;
+    return text_of(parts.empty() ? -1 : parts.front().panel);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<std::string>& state_keys() {
@@ -295,6 +348,9 @@ const std::vector<std::string>& state_keys() {
                                                 "layers",
                                                 "active_layer",
                                                 "browser_open",
+                                                "export_open",
+                                                "export_sheets",
+                                                "export_pass",
                                                 "camera",
                                                 "drain_median_ms",
                                                 "drain_max_ms",
@@ -379,6 +435,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (auto value = suggestion_value(state, key)) return value;
   if (auto value = cluster_value(c, key)) return value;
   if (auto value = workshop_value(c, key)) return value;
+  if (auto value = export_value(c, key)) return value;
   if (key == "findings_text") return why_no_findings(findings_standing(state), c.state.unit());
   if (key == "history") return count(document.history().size());
   if (key == "steps_done") return count(document.steps_done());

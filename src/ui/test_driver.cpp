@@ -55,10 +55,17 @@ std::optional<KeyPress> parse_key(const std::string& text) {
       break;
     }
   }
-  static const std::map<std::string, int> kNamed = {
-      {"Space", GLFW_KEY_SPACE}, {"Escape", GLFW_KEY_ESCAPE}, {"Enter", GLFW_KEY_ENTER},
-      {"Home", GLFW_KEY_HOME},   {"F1", GLFW_KEY_F1},         {"Up", GLFW_KEY_UP},
-      {"Down", GLFW_KEY_DOWN},   {"Tab", GLFW_KEY_TAB},       {"Backspace", GLFW_KEY_BACKSPACE}};
+  static const std::map<std::string, int> kNamed = {{"Space", GLFW_KEY_SPACE},
+                                                    {"Escape", GLFW_KEY_ESCAPE},
+                                                    {"Enter", GLFW_KEY_ENTER},
+                                                    {"Home", GLFW_KEY_HOME},
+                                                    {"F1", GLFW_KEY_F1},
+                                                    {"Up", GLFW_KEY_UP},
+                                                    {"Down", GLFW_KEY_DOWN},
+                                                    {"PageUp", GLFW_KEY_PAGE_UP},
+                                                    {"PageDown", GLFW_KEY_PAGE_DOWN},
+                                                    {"Tab", GLFW_KEY_TAB},
+                                                    {"Backspace", GLFW_KEY_BACKSPACE}};
   if (const auto named = kNamed.find(rest); named != kNamed.end()) {
     press.key = named->second;
   } else if (rest == "+" || rest == "-") {
@@ -370,6 +377,10 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
   } else if (verb == "wait_rated") {
     wait("for edits to be rated", number(words[1]),
          [](const DriverContext& now, int) { return now.state.advice_fits() && now.state.advice()->done; });
+  } else if (verb == "wait_export") {
+    wait("for the export", number(words[1]), [](const DriverContext& now, int) {
+      return !now.state.export_preparing() && !now.state.exporting_to_workshop();
+    });
   } else if (verb == "wait_solving") {
     wait("for a solve to begin", number(words[1]),
          [](const DriverContext& now, int) { return now.state.solving(); });

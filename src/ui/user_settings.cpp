@@ -4,6 +4,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
+#include "ui/export_choice_json.h"
+
 namespace planewright::ui {
 namespace {
 
@@ -53,6 +55,8 @@ Result<UserSettings> parse_user_settings(const std::string& text) {
     for (const auto& [name, limit] : limits->items())
       if (limit.is_number()) s.finding_limits[name] = limit.get<double>();
   }
+  if (const auto choice = json.find("workshop_export"); choice != json.end())
+    s.workshop_export = read_export_choice(*choice);
   s.window_width = std::clamp(s.window_width, 640, 16384);
   s.window_height = std::clamp(s.window_height, 480, 16384);
   s.left_width = std::clamp(s.left_width, 240.0f, 800.0f);
@@ -78,6 +82,7 @@ std::string format_user_settings(const UserSettings& s) {
       {"polish_automatically", s.polish_automatically},
       {"finding_limits", s.finding_limits},
       {"last_folder", s.last_folder},
+      {"workshop_export", to_json(s.workshop_export)},
   };
   return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "core/base/result.h"
+#include "ui/export_choice.h"
 
 namespace planewright::ui {
 
@@ -26,6 +27,7 @@ struct UserSettings {
   bool polish_automatically = false;                  // Ipopt confirms what the tangent solver has finished
   std::map<std::string, double> finding_limits = {};  // finding_limits.h
   std::string last_folder = {};
+  ExportChoice workshop_export = {};
 
   bool operator==(const UserSettings&) const = default;
 };

@@ -244,7 +244,8 @@ Result<void> Window::open() {
 
 double Window::sleep_seconds() const {
   double seconds = 0.5;
-  if (state_.busy() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput || dump_)
+  if (state_.busy() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput || dump_ ||
+      state_.export_preparing() || state_.exporting_to_workshop())
     seconds = 0.05;
   if (const auto deadline = state_.next_deadline()) {
     seconds = std::min(seconds, std::chrono::duration<double>(*deadline - Clock::now()).count());
@@ -279,7 +280,8 @@ Result<void> Window::run() {
 
     // Things that move by themselves: the time of a running solve, a text cursor, a gesture that ends by
     // waiting.
-    const bool lively = state_.busy() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput;
+    const bool lively = state_.busy() || state_.loading() || ui_->waiting() || ImGui::GetIO().WantTextInput ||
+                        state_.export_preparing() || state_.exporting_to_workshop();
     if (viewport_->flying()) frames_due_ = std::max(frames_due_, 1);
     if (lively && now - last_frame_ > 90ms) frames_due_ = std::max(frames_due_, 1);
     if (dump_) frames_due_ = std::max(frames_due_, 1);
@@ -329,6 +331,9 @@ void Window::take_browser_result() {
   shown_.settings.last_folder = path->parent_path().string();
   if (shown_.browser.purpose() == FileBrowser::Purpose::OpenMesh) {
     state_.open_file(*path);
+  } else if (shown_.browser.purpose() == FileBrowser::Purpose::ChooseFolder) {
+    shown_.export_dialog.folder = path->string();
+    state_.forget_export_outcome();
   } else {
     state_.export_panels(*path);
   }
@@ -345,13 +350,15 @@ void Window::apply_wishes() {
 
 // Whether what the workshop makes of the panels is to be found out.
 bool Window::workshop_in_sight() const {
-  return shown_.right_tab == 2 || state_.view_options.names ||
+  return shown_.export_dialog.open || shown_.right_tab == 2 || state_.view_options.names ||
          state_.view_options.colours == ColourMap::Tolerances;
 }
 
 void Window::frame() {
   ++frame_;
   state_.workshop_in_sight = workshop_in_sight();
+  state_.wanted_export =
+      shown_.export_dialog.open ? std::optional(shown_.settings.workshop_export) : std::nullopt;
   if (!gathered_.dropped.empty()) drop(std::exchange(gathered_.dropped, {}));
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
@@ -373,12 +380,14 @@ void Window::frame() {
   draw_splitters(desk, layout);
   draw_solve_badge(desk, viewport_->panels_place());
   draw_hint(desk, layout.viewport);
+  draw_export_dialog(desk);
   draw_messages(desk, layout.viewport);
   take_browser_result();
   draw_help_cards(desk);
   if (const auto target = viewport_->take_context_request()) open_context_menu(desk, *target);
   draw_context_menu(desk);
   actions_->apply_requested();
+  if (std::exchange(shown_.export_dialog_wanted, false)) open_export_dialog(desk);
   apply_wishes();
 
   ImGui::Render();

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ui/edit_choices.h"
+#include "ui/export_dialog.h"
 #include "ui/file_browser.h"
 #include "ui/look_at.h"
 #include "ui/name_field.h"
@@ -17,6 +18,8 @@ namespace planewright::ui {
 struct WindowState {
   UserSettings settings;
   FileBrowser browser;
+  ExportDialog export_dialog;
+  bool export_dialog_wanted = false;
   bool show_keys = false;
   bool show_timings = false;
   bool show_about = false;
