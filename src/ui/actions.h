@@ -38,6 +38,7 @@ enum class Action {
   ColourFindings,
   LockRange,
   Convergence,
+  Schedule,
   DarkTheme,
   NextFinding,
   PreviousFinding,

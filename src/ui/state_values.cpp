@@ -162,6 +162,33 @@ std::optional<std::string> cluster_value(const DriverContext& c, const std::stri
   return std::nullopt;
 }
 
+// Of the schedule as it was last drawn. schedule_rows: how many are listed, of schedule_panels;
+// schedule_sort: "area descending"; schedule_filter_error; schedule_sum; schedule_made: how often its list
+// was made; schedule_row: where the panel that is pointed at stands, -1 for nowhere; schedule.ROW.COLUMN: a
+// cell's text; schedule.ROW.panel; schedule.ROW.selected.
+std::optional<std::string> schedule_value(const DriverContext& c, const std::string& key) {
+  const ScheduleView& view = c.window.schedule;
+  if (key == "schedule_rows") return view.schedule().from ? text_of(view.list().size()) : "none";
+  if (key == "schedule_panels") return text_of(view.schedule().size());
+  if (key == "schedule_sort")
+    return info(view.query.sort).name + (view.query.descending ? " descending" : " ascending");
+  if (key == "schedule_filter_error") return view.list().filter_error;
+  if (key == "schedule_sum") return view.schedule().from ? sum_text(view.schedule(), view.list()) : "none";
+  if (key == "schedule_made") return text_of(view.made());
+  if (key == "schedule_row")
+    return text_of(c.state.selected_panel ? view.row_of(*c.state.selected_panel).value_or(-1) : -1);
+  if (!key.starts_with("schedule.")) return std::nullopt;
+  const std::size_t dot = key.find('.', 9);
+  const auto row = number_in(key.substr(9, dot == std::string::npos ? dot : dot - 9));
+  if (!row || dot == std::string::npos || *row < 0 || *row >= view.list().size()) return std::nullopt;
+  const int panel = view.list().panels[static_cast<std::size_t>(*row)];
+  const std::string what = key.substr(dot + 1);
+  if (what == "panel") return text_of(panel);
+  if (what == "selected") return view.selected(panel) ? "1" : "0";
+  const auto column = find_schedule_column(what);
+  return column ? std::optional(cell_text(view.schedule(), panel, *column)) : std::nullopt;
+}
+
 }  // namespace
 
 const std::vector<std::string>& state_keys() {
@@ -242,6 +269,9 @@ const std::vector<std::string>& state_keys() {
                                                 "cluster_error",
                                                 "sight",
                                                 "selected_regions",
+                                                "schedule_rows",
+                                                "schedule_sort",
+                                                "schedule_filter_error",
                                                 "layers",
                                                 "active_layer",
                                                 "browser_open",
@@ -328,6 +358,11 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (auto value = finding_value(state, key)) return value;
   if (auto value = suggestion_value(state, key)) return value;
   if (auto value = cluster_value(c, key)) return value;
+  if (auto value = schedule_value(c, key)) return value;
+  if (key == "clipboard") {
+    const char* text = ImGui::GetClipboardText();
+    return std::string(text != nullptr ? text : "");
+  }
   if (key == "findings_text") return why_no_findings(findings_standing(state), c.state.unit());
   if (key == "history") return count(document.history().size());
   if (key == "steps_done") return count(document.steps_done());

@@ -345,7 +345,7 @@ void Window::apply_wishes() {
 
 // Whether what the workshop makes of the panels is to be found out.
 bool Window::workshop_in_sight() const {
-  return shown_.right_tab == 2 || state_.view_options.names ||
+  return shown_.right_tab == 2 || actions_->checked(Action::Schedule) || state_.view_options.names ||
          state_.view_options.colours == ColourMap::Tolerances;
 }
 
@@ -368,7 +368,7 @@ void Window::frame() {
   draw_toolbar(desk, layout.toolbar);
   draw_design_panel(desk, layout.left);
   draw_findings_panel(desk, layout.right);
-  draw_convergence_panel(desk, layout.bottom);
+  draw_bottom_panel(desk, layout.bottom);
   draw_status_bar(desk, layout.status);
   draw_splitters(desk, layout);
   draw_solve_badge(desk, viewport_->panels_place());

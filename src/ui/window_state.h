@@ -10,6 +10,7 @@
 #include "ui/file_browser.h"
 #include "ui/look_at.h"
 #include "ui/name_field.h"
+#include "ui/schedule_view.h"
 #include "ui/user_settings.h"
 
 namespace planewright::ui {
@@ -24,7 +25,9 @@ struct WindowState {
   int right_tab = 0;        // findings, report, workshop
   bool tab_wanted = false;
   std::optional<int> listed_finding, listed_suggestion;  // that the list has last brought into sight
-  std::optional<MeshEdit> suggestion_wanted;             // that was clicked in the list
+  ScheduleView schedule;
+  std::optional<int> listed_panel;            // that the schedule has last brought into sight
+  std::optional<MeshEdit> suggestion_wanted;  // that was clicked in the list
   bool fit_wanted = false, reset_view_wanted = false;
   std::optional<LookAt> look_at;
   EditTarget context_target;  // of the menu that the right button opened
