@@ -18,6 +18,7 @@ namespace {
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSquareMetres = 1e-6;  // of a square millimetre
 constexpr double kLeastShown = 1e-3;    // below it, numbers are of no interest to a workshop
+constexpr double kEqual = 1e-6;         // what rounding makes of equal panels is no order
 
 const std::array<ScheduleColumnInfo, kScheduleColumns>& columns() {
   static const std::array<ScheduleColumnInfo, kScheduleColumns> all = {{
@@ -131,7 +132,7 @@ void sort_panels(const Schedule& schedule, const ScheduleQuery& query, std::vect
   keys.reserve(panels.size());
   for (const int panel : panels) {
     const ScheduleRow& row = schedule.row(panel);
-    const double value = sort_value(schedule, row, query.sort);
+    const double value = std::round(sort_value(schedule, row, query.sort) / kEqual) * kEqual;
     keys.push_back({std::isnan(value)  ? std::numeric_limits<double>::infinity()
                     : query.descending ? -value
                                        : value,

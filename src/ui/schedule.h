@@ -101,8 +101,8 @@ struct ScheduleList {
   int size() const { return static_cast<int>(panels.size()); }
 };
 
-// selected: #P, or empty: none is. By the column, panels with equal values by name; unknown values come last
-// in either direction.
+// selected: #P, or empty: none is. By the column, panels with equal values (to a millionth of the unit) by
+// name; unknown values come last in either direction.
 ScheduleList make_schedule_list(const Schedule& schedule, const ScheduleQuery& query,
                                 const std::vector<bool>& selected);
 

@@ -17,14 +17,24 @@ const char* widest_text(ScheduleColumn column) {
     case ScheduleColumn::Name:
       return "AA-123";
     case ScheduleColumn::Size:
-      return "1,234 × 1,234";
+      return "8,888 × 8,888";
+    case ScheduleColumn::Corners:
+    case ScheduleColumn::Area:
+    case ScheduleColumn::InteriorMin:
+    case ScheduleColumn::BevelMax:
+      return "88.8";
     case ScheduleColumn::Class:
       return "AAA ×99";
     case ScheduleColumn::Verdict:
-      return "planarity 0.123 …";
+      return "planarity …";
     default:
-      return "12,345";
+      return "8,888";
   }
+}
+
+// Verdicts have a dot before them.
+float indent(const Ui& ui, ScheduleColumn column) {
+  return column == ScheduleColumn::Verdict ? ui.px(14) : 0.0f;
 }
 
 }  // namespace
@@ -34,9 +44,9 @@ float cell_padding(const Ui& ui) {
 }
 
 float column_width(const Ui& ui, ScheduleColumn column) {
-  const float dot = column == ScheduleColumn::Verdict ? ui.px(14) : 0.0f;
   return std::ceil(std::max(text_size(ui.theme().small(), info(column).title).x + ui.px(2),
-                            text_size(ui.theme().regular(), widest_text(column)).x + dot));
+                            text_size(ui.theme().regular(), widest_text(column)).x)) +
+         indent(ui, column);
 }
 
 float title_height(const Ui& ui) {
@@ -58,13 +68,12 @@ bool draw_column_title(Ui& ui, ScheduleColumn column, bool sorted, bool descendi
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const float align = is_number(column) ? 1.0f : 0.0f;
   const float middle = min.y + ui.px(4) + font->FontSize;
-  draw_text_aligned(draw, font, ImVec2(min.x, min.y + ui.px(3)), ImVec2(max.x, middle), align,
-                    hovered  ? p.accent
-                    : sorted ? p.ink
-                             : p.ink_soft,
-                    elided(font, what.title, size.x));
+  const float left = min.x + indent(ui, column);
+  const ImU32 ink = hovered ? p.accent : sorted ? p.ink : p.ink_soft;
+  draw_text_aligned(draw, font, ImVec2(left, min.y + ui.px(3)), ImVec2(max.x, middle), align, ink,
+                    elided(font, what.title, max.x - left));
   // The arrow stands in the line of the unit, so that titles stay where they are.
-  const ImVec2 below_min(min.x, middle), below_max(max.x, max.y - ui.px(3));
+  const ImVec2 below_min(left, middle), below_max(max.x, max.y - ui.px(3));
   draw_text_aligned(draw, font, below_min, below_max, align, p.ink_faint, what.unit);
   if (sorted) {
     const float unit = what.unit.empty() ? 0.0f : text_size(font, what.unit).x + ui.px(4);
@@ -96,7 +105,7 @@ void draw_cell(const Ui& ui, const Schedule& schedule, int panel, ScheduleColumn
     ink = fails ? p.error : p.ink_soft;
     const ImVec2 centre(min.x + ui.px(4), std::round(0.5f * (min.y + max.y)));
     if (fails) draw.AddCircleFilled(centre, ui.px(3.5f), p.error, 16);
-    min.x += ui.px(14);
+    min.x += indent(ui, column);
   }
   draw_text_aligned(draw, font, min, max, is_number(column) ? 1.0f : 0.0f, ink,
                     elided(font, text, max.x - min.x));

@@ -107,7 +107,7 @@ void draw_tools(Desk& desk, const Rect& line) {
 
 void set_up_columns(Ui& ui, const Schedule& schedule, float width) {
   const float padding = 2 * cell_padding(ui);
-  float left = width - ImGui::GetStyle().ScrollbarSize;
+  float left = width - ImGui::GetStyle().ScrollbarSize - ui.px(4);
   ImGui::TableSetupScrollFreeze(1, 1);
   for (int c = 0; c < kScheduleColumns; ++c) {
     const auto column = static_cast<ScheduleColumn>(c);
@@ -185,8 +185,10 @@ void draw_row(Desk& desk, int row, float height) {
   }
 }
 
-// The panel that is pointed at comes into sight when it becomes that.
-void follow_pointed_at(Desk& desk, float height) {
+// Another order is read from its beginning. The panel that is pointed at comes into sight when it becomes
+// that.
+void scroll_table(Desk& desk, float height) {
+  if (desk.window.schedule.take_rearranged()) ImGui::SetScrollY(0);
   if (desk.state.selected_panel == desk.window.listed_panel) return;
   desk.window.listed_panel = desk.state.selected_panel;
   if (!desk.state.selected_panel) return;
@@ -206,6 +208,7 @@ void draw_table(Desk& desk, const Rect& place) {
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(cell_padding(ui), 0));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, ImVec2(ui.px(6), 0));
   ImGui::PushStyleColor(ImGuiCol_ChildBg, to_vec4(ui.colours().raised));
+  ImGui::PushStyleColor(ImGuiCol_TableBorderLight, to_vec4(with_alpha(ui.colours().line, 0.45f)));
   for (const ImGuiCol part : {ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive})
     ImGui::PushStyleColor(part, IM_COL32(0, 0, 0, 0));
   const ImGuiTableFlags flags = ImGuiTableFlags_ScrollX | ImGuiTableFlags_ScrollY |
@@ -215,14 +218,14 @@ void draw_table(Desk& desk, const Rect& place) {
   if (ImGui::BeginTable("panels", kScheduleColumns, flags, ImVec2(place.width(), place.height()))) {
     set_up_columns(ui, view.schedule(), place.width());
     draw_titles(ui, view.query);
-    follow_pointed_at(desk, height);
+    scroll_table(desk, height);
     ImGuiListClipper clipper;
     clipper.Begin(view.list().size(), height);
     while (clipper.Step())
       for (int row = clipper.DisplayStart; row < clipper.DisplayEnd; ++row) draw_row(desk, row, height);
     ImGui::EndTable();
   }
-  ImGui::PopStyleColor(4);
+  ImGui::PopStyleColor(5);
   ImGui::PopStyleVar(2);
 }
 

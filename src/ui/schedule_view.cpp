@@ -25,6 +25,7 @@ void ScheduleView::update(const AppState& state) {
     selected_ = std::move(selected);
   }
   if (!stale) return;
+  rearranged_ = rearranged_ || made_for_ != query;
   made_for_ = query;
   list_ = make_schedule_list(schedule_, query, selected_);
   ++made_;

@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "ui/app_state.h"
@@ -29,6 +30,8 @@ class ScheduleView {
   }
   // Where the panel stands in the list; none: it is not listed.
   std::optional<int> row_of(int panel) const;
+  // True once after another order, filter or switch: what was in sight is elsewhere now.
+  bool take_rearranged() { return std::exchange(rearranged_, false); }
   // How often the list was made.
   int made() const { return made_; }
 
@@ -46,6 +49,7 @@ class ScheduleView {
   std::optional<SelectionKey> selected_for_;
   std::shared_ptr<const PreparedView> selected_of_;  // keeps the key's address taken
   std::optional<int> anchor_;                        // panel
+  bool rearranged_ = false;
   int made_ = 0;
 };
 
