@@ -9,7 +9,7 @@
 namespace planewright::ui {
 namespace {
 
-constexpr float kTabs = 204;  // width at scale 1
+constexpr float kTabs = 226;  // width at scale 1
 
 // Opens and closes what the tabs show.
 void draw_toggle(Desk& desk, ImVec2 at, float width, float height) {

@@ -70,6 +70,12 @@ void replace_all(std::string& text, std::string_view from, std::string_view to) 
     text.replace(at, from.size(), to);
 }
 
+bool is_unit(std::string_view word) {
+  return word == "m2" || std::any_of(kMeasures.begin(), kMeasures.end(), [&](const Measure& measure) {
+           return !measure.unit.empty() && word == measure.unit;
+         });
+}
+
 // Words with no blanks inside: those round operators go. "area > 2  C" -> "area>2", "C"
 std::vector<std::string> words_of(std::string_view given) {
   std::string text(given);
@@ -87,6 +93,13 @@ std::vector<std::string> words_of(std::string_view given) {
     if (words.empty() || (apart && !joins)) words.emplace_back();
     words.back() += c;
     apart = false;
+  }
+  // A unit belongs to the number before it.
+  for (std::size_t i = words.size(); i-- > 1;) {
+    const bool compares = std::any_of(words[i - 1].begin(), words[i - 1].end(), is_operator);
+    if (!compares || !is_unit(lowered(words[i]))) continue;
+    words[i - 1] += words[i];
+    words.erase(words.begin() + static_cast<std::ptrdiff_t>(i));
   }
   return words;
 }

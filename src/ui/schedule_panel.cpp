@@ -107,7 +107,7 @@ void draw_tools(Desk& desk, const Rect& line) {
 
 void set_up_columns(Ui& ui, const Schedule& schedule, float width) {
   const float padding = 2 * cell_padding(ui);
-  float left = width - ImGui::GetStyle().ScrollbarSize - ui.px(4);
+  float left = width - ImGui::GetStyle().ScrollbarSize - padding - ui.px(4);  // and round the outside
   ImGui::TableSetupScrollFreeze(1, 1);
   for (int c = 0; c < kScheduleColumns; ++c) {
     const auto column = static_cast<ScheduleColumn>(c);
