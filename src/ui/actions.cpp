@@ -52,6 +52,7 @@ const std::vector<ActionInfo>& action_list() {
       {Action::ColourTolerances, "colours tolerances", "Colour by tolerances", "", {}},
       {Action::LockRange, "lock range", "Lock the colours' range", "L", {key(GLFW_KEY_L)}},
       {Action::Convergence, "convergence", "Convergence plot", "V", {key(GLFW_KEY_V)}},
+      {Action::Schedule, "schedule", "Schedule of the panels", "E", {key(GLFW_KEY_E)}},
       {Action::DarkTheme, "dark theme", "Dark theme", "D", {key(GLFW_KEY_D)}},
       {Action::NextFinding, "next finding", "Next finding", "N", {key(GLFW_KEY_N)}},
       {Action::PreviousFinding, "previous finding", "Previous finding", "Shift N", {shifted(GLFW_KEY_N)}},
@@ -245,7 +246,9 @@ bool Actions::checked(Action action) const {
     case Action::HideLayer:
       return state_.document().design().layers[static_cast<std::size_t>(state_.active_layer())].visible;
     case Action::Convergence:
-      return window_.settings.convergence_open;
+      return window_.settings.convergence_open && !window_.settings.schedule_tab;
+    case Action::Schedule:
+      return window_.settings.convergence_open && window_.settings.schedule_tab;
     case Action::DarkTheme:
       return window_.settings.dark;
     case Action::Keys:
@@ -463,8 +466,12 @@ void Actions::run(Action action) {
       view.lock_range = !view.lock_range;
       break;
     case Action::Convergence:
-      window_.settings.convergence_open = !window_.settings.convergence_open;
+    case Action::Schedule: {  // what is open closes, else it comes to the front
+      const bool was_open = checked(action);
+      window_.settings.convergence_open = !was_open;
+      window_.settings.schedule_tab = action == Action::Schedule;
       break;
+    }
     case Action::DarkTheme:
       window_.settings.dark = !window_.settings.dark;
       break;

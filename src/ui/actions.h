@@ -41,6 +41,7 @@ enum class Action {
   ColourTolerances,
   LockRange,
   Convergence,
+  Schedule,
   DarkTheme,
   NextFinding,
   PreviousFinding,

@@ -164,49 +164,28 @@ void draw_plot(Desk& desk, const Rect& area) {
 
 }  // namespace
 
-void draw_convergence_panel(Desk& desk, const Rect& place) {
+void draw_convergence(Desk& desk, const Rect& head, const Rect& body) {
   Ui& ui = desk.ui;
-  if (!begin_part("##convergence", place, ImVec2(ui.px(14), ui.px(3)),
-                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    return;
-  }
-  const Ui::Scope scope(ui, "Convergence");
   const Palette& p = ui.colours();
   ImDrawList& draw = *ImGui::GetWindowDrawList();
-  const bool open = desk.window.settings.convergence_open;
-
-  const ImVec2 head = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight();
-  if (ImGui::InvisibleButton("toggle", ImVec2(ui.px(130), height))) desk.actions.request(Action::Convergence);
-  ui.record_item("toggle");
-  const ImU32 title = ImGui::IsItemHovered() ? p.accent : p.ink;
-  draw_text_aligned(draw, ui.theme().regular(), head, ImVec2(head.x + ui.px(16), head.y + height), 0.2f,
-                    p.ink_faint,
-                    ui.theme().has_icons() ? ui.theme().icon(open ? Icon::ChevronDown : Icon::ChevronRight)
-                                           : (open ? "-" : "+"));
-  draw_text_aligned(draw, ui.theme().bold(), ImVec2(head.x + ui.px(16), head.y),
-                    ImVec2(head.x + 400, head.y + height), 0.0f, title, "Convergence");
 
   // The legend doubles as the label of the two scales.
   const auto key = [&](float right, ImU32 colour, const char* text) {
     ImFont* small = ui.theme().small();
     const float width = small->CalcTextSizeA(small->FontSize, FLT_MAX, 0, text).x;
-    const float y = head.y + 0.5f * height;
+    const float y = 0.5f * (head.min.y + head.max.y);
     draw.AddLine(ImVec2(right - width - ui.px(24), y), ImVec2(right - width - ui.px(6), y), colour, ui.px(2));
-    draw_text_aligned(draw, small, ImVec2(right - width, head.y), ImVec2(right, head.y + height), 0.0f,
+    draw_text_aligned(draw, small, ImVec2(right - width, head.min.y), ImVec2(right, head.max.y), 0.0f,
                       p.ink_soft, text);
     return right - width - ui.px(38);
   };
-  float right = place.max.x - ui.px(14);
-  const bool roomy = place.width() > ui.px(560);  // beside the heading
-  right = key(right, p.infeasibility, roomy ? "infeasibility, mean edges (right)" : "infeasibility");
-  key(right, p.objective, roomy ? "objective, weighted (left)" : "objective");
-
-  if (open)
-    draw_plot(desk,
-              {{head.x, head.y + height + ui.px(2)}, {place.max.x - ui.px(14), place.max.y - ui.px(6)}});
-  draw_rim(ui, place, Side::Top);
-  end_part();
+  const bool roomy = head.width() > ui.px(430);
+  if (head.width() > ui.px(210)) {
+    const float right =
+        key(head.max.x, p.infeasibility, roomy ? "infeasibility, mean edges (right)" : "infeasibility");
+    key(right, p.objective, roomy ? "objective, weighted (left)" : "objective");
+  }
+  draw_plot(desk, body);
 }
 
 }  // namespace planewright::ui

@@ -12,13 +12,13 @@ Layout arrange(ImVec2 window, float menu_height, float scale, UserSettings& sett
   const float width = window.x / scale, height = window.y / scale;
   settings.left_width = std::clamp(settings.left_width, 240.0f, std::max(240.0f, width / 3));
   settings.right_width = std::clamp(settings.right_width, 220.0f, std::max(220.0f, width / 3));
-  settings.bottom_height = std::clamp(settings.bottom_height, 110.0f, std::max(110.0f, height / 2));
+  float& bottom_height = settings.schedule_tab ? settings.schedule_height : settings.bottom_height;
+  bottom_height = std::clamp(bottom_height, 110.0f, std::max(110.0f, height / 2));
 
   const float top = menu_height + toolbar;
   const float low = std::max(window.y - status, top);
   const float left = px(settings.left_width), right = std::max(window.x - px(settings.right_width), left);
-  const float bottom =
-      std::max(low - (settings.convergence_open ? px(settings.bottom_height) : collapsed), top);
+  const float bottom = std::max(low - (settings.convergence_open ? px(bottom_height) : collapsed), top);
 
   Layout l;
   l.toolbar = {{0, menu_height}, {window.x, top}};

@@ -17,12 +17,12 @@ void item(Desk& desk, Action action) {
   const bool enabled = desk.actions.enabled(action);
   const bool toggles =
       action == Action::AutoSolve || action == Action::Ghost || action == Action::Markers ||
-      action == Action::LockRange || action == Action::Convergence || action == Action::DarkTheme ||
-      action == Action::HideLayer || action == Action::SelectBox || action == Action::ModeDual ||
-      action == Action::ModePlanarize || action == Action::ModeCluster || action == Action::SplitRegion ||
-      action == Action::MergeRegions || action == Action::PaintRegions || action == Action::SightRegions ||
-      action == Action::SightBeside || action == Action::SightOver || action == Action::SightPanels ||
-      action == Action::ColourNone || action == Action::ColourPlanarity ||
+      action == Action::LockRange || action == Action::Convergence || action == Action::Schedule ||
+      action == Action::DarkTheme || action == Action::HideLayer || action == Action::SelectBox ||
+      action == Action::ModeDual || action == Action::ModePlanarize || action == Action::ModeCluster ||
+      action == Action::SplitRegion || action == Action::MergeRegions || action == Action::PaintRegions ||
+      action == Action::SightRegions || action == Action::SightBeside || action == Action::SightOver ||
+      action == Action::SightPanels || action == Action::ColourNone || action == Action::ColourPlanarity ||
       action == Action::ColourDisplacement || action == Action::ColourFindings ||
       action == Action::ColourTolerances || action == Action::PanelNames;
   if (ImGui::MenuItem(desk.actions.label(action).c_str(), what.shortcut.c_str(),
@@ -128,6 +128,7 @@ float draw_menu_bar(Desk& desk) {
       item(desk, Action::LockRange);
       ImGui::Separator();
       item(desk, Action::Convergence);
+      item(desk, Action::Schedule);
       item(desk, Action::DarkTheme);
       if (begin_menu(desk, "Unit")) {
         const Ui::Scope units_scope(ui, "Menu/View/Unit");

@@ -22,9 +22,9 @@ struct Desk {
 
 float draw_menu_bar(Desk& desk);  // returns its height
 void draw_toolbar(Desk& desk, const Rect& place);
-void draw_design_panel(Desk& desk, const Rect& place);       // left: mode, offset, weights, solve
-void draw_findings_panel(Desk& desk, const Rect& place);     // right: findings, report, selection
-void draw_convergence_panel(Desk& desk, const Rect& place);  // below the model
+void draw_design_panel(Desk& desk, const Rect& place);    // left: mode, offset, weights, solve
+void draw_findings_panel(Desk& desk, const Rect& place);  // right: findings, report, selection
+void draw_bottom_panel(Desk& desk, const Rect& place);    // below the model: convergence, schedule
 void draw_status_bar(Desk& desk, const Rect& place);
 void draw_splitters(Desk& desk, const Layout& layout);
 
@@ -39,6 +39,10 @@ void draw_edit_choices(Desk& desk, const EditTarget& target);
 void open_context_menu(Desk& desk, const EditTarget& target);
 void draw_context_menu(Desk& desk);
 void draw_history(Desk& desk);
+
+// The tabs of the panel below the model: what stands in its head line, right of the tabs, and what below.
+void draw_convergence(Desk& desk, const Rect& head, const Rect& body);
+void draw_schedule(Desk& desk, const Rect& head, const Rect& body);
 
 // The sections of the left panel, one file each.
 void draw_presets(Desk& desk);

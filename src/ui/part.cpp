@@ -84,7 +84,8 @@ void draw_splitters(Desk& desk, const Layout& layout) {
   splitter(desk, "##left", layout.left_splitter, true, settings.left_width, 1);
   splitter(desk, "##right", layout.right_splitter, true, settings.right_width, -1);
   if (settings.convergence_open) {
-    splitter(desk, "##bottom", layout.bottom_splitter, false, settings.bottom_height, -1);
+    float& height = settings.schedule_tab ? settings.schedule_height : settings.bottom_height;
+    splitter(desk, "##bottom", layout.bottom_splitter, false, height, -1);
   }
 }
 

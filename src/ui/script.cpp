@@ -32,6 +32,7 @@ constexpr std::array kForms = {
     Form{"remember", 2, 2},      Form{"print", 0, kAny},      Form{"dump_ui", 0, 0},
     Form{"clear_timings", 0, 0}, Form{"click_region", 1, 2},  Form{"hover_region", 1, 1},
     Form{"click_border", 2, 2},  Form{"drag_region", 2, 2},   Form{"wait_export", 1, 1},
+    Form{"click_border", 2, 2},  Form{"drag_region", 2, 2},   Form{"shift_click", 1, 1},
 };
 
 }  // namespace

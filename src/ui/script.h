@@ -2,7 +2,8 @@
 //
 //   open PATH                      drop PATH                    sample NAME [PANELS]
 //   wait_loaded S   wait_solved S  wait_solving S               wait_iterates N S     wait_frames N
-//   click PATH      ctrl_click PATH   double_click PATH         hover PATH            wheel PATH NOTCHES
+//   click PATH      ctrl_click PATH   shift_click PATH          double_click PATH
+//   hover PATH      wheel PATH NOTCHES
 //   drag PATH FRACTION             press PATH | move PATH FRACTION | release          drag_by PATH DX DY
 //   click_edge N|any   hover_edge N|any   context_edge N|any   click_model FX FY     orbit DX DY   pan DX DY
 //   zoom NOTCHES       click_panel N|any [MODS]                click_corner N|any [MODS]

@@ -1,10 +1,10 @@
 // What scripts ask of the program's state, by name: state_value() and state_keys() of test_driver.h.
+#include "ui/state_values.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "core/workshop/tolerance_share.h"
-#include "ui/export_text.h"
 #include "ui/finding_text.h"
 #include "ui/layer_edits.h"
 #include "ui/script.h"
@@ -13,13 +13,14 @@
 #include "ui/test_driver.h"
 
 namespace planewright::ui {
-namespace {
 
 std::string text_of(double value) {
   char buffer[64];
   const auto [end, error] = std::to_chars(buffer, buffer + sizeof buffer, value);
   return error == std::errc() ? std::string(buffer, end) : "?";
 }
+
+namespace {
 
 // demand.NAME: on or off; demand.NAME.PARAMETER; and of the report: violation.NAME, violated.NAME, rows.NAME.
 std::optional<std::string> demand_value(const AppState& state, const std::string& key) {
@@ -68,55 +69,6 @@ std::optional<std::string> energy_value(const AppState& state, const std::string
   }
   if (!own) return "none";
   return text_of(share ? *own / total : *own);
-}
-
-// passing, failing: panels, "none" until that is known; failures: places; failure: the row that the designer
-// is at, -1 for none; failure.ROW.text, .panel; names: whether they are written on the panels, names_drawn:
-// how many; name.PANEL; thickness, gap, density; limit_NAME of the sheet ("none": there is none).
-std::optional<std::string> workshop_value(const DriverContext& c, const std::string& key) {
-  const AppState& state = c.state;
-  const auto workshop = state.workshop();
-  const FailureList& list = state.failure_list();
-  const WorkshopContract& contract = state.contract();
-  if (key == "passing") return workshop ? std::to_string(workshop->verdicts.passed) : "none";
-  if (key == "failing") return workshop ? std::to_string(workshop->verdicts.failed) : "none";
-  if (key == "failures") return workshop ? std::to_string(workshop->verdicts.failures.size()) : "none";
-  if (key == "failure") return text_of(state.current_failure().value_or(-1));
-  if (key == "names") return std::string(state.view_options.names ? "1" : "0");
-  if (key == "names_drawn") return text_of(c.viewport.names_drawn());
-  if (key == "contract_thickness") return text_of(contract.thickness);
-  if (key == "gap") return text_of(contract.gap);
-  if (key == "density") return text_of(contract.density);
-  if (key == "shares_break") {  // of the colours: failing panels that do not show as failing, and the other
-                                // way round
-    if (!workshop) return "none";
-    const Vector shares = tolerance_shares(workshop->passports, workshop->verdicts, contract.tolerances);
-    int wrong = 0;
-    for (std::size_t p = 0; p < workshop->verdicts.pass.size(); ++p)
-      wrong += workshop->verdicts.pass[p] != (shares[static_cast<Eigen::Index>(p)] <= 1.0) ? 1 : 0;
-    return text_of(wrong);
-  }
-  if (key.starts_with("name.") || key.starts_with("failure.")) {
-    const std::size_t begin = key.find('.') + 1, dot = key.find('.', begin);
-    const auto index = number_in(key.substr(begin, dot == std::string::npos ? dot : dot - begin));
-    if (!index || !workshop || *index < 0) return std::nullopt;
-    const auto i = static_cast<std::size_t>(*index);
-    if (key.starts_with("name."))
-      return i < workshop->model->names.size() ? std::optional(workshop->model->names[i]) : std::nullopt;
-    if (*index >= list.size() || dot == std::string::npos) return std::nullopt;
-    const ToleranceFailure& failure = list.failure(static_cast<int>(i));
-    if (key.substr(dot) == ".text") return describe(failure, *workshop->model);
-    if (key.substr(dot) == ".panel") return text_of(failure.panel);
-    return std::nullopt;
-  }
-  const auto limit = [](const std::optional<double>& value) { return value ? text_of(*value) : "none"; };
-  const ToleranceSheet& sheet = contract.tolerances;
-  if (key == "limit_planarity") return limit(sheet.planarity);
-  if (key == "limit_edge_min") return limit(sheet.edge_min);
-  if (key == "limit_edge_max") return limit(sheet.edge_max);
-  if (key == "limit_area_max") return limit(sheet.area_max);
-  if (key == "limit_stock") return limit(sheet.stock ? std::optional(sheet.stock->width) : std::nullopt);
-  return std::nullopt;
 }
 
 // findings, findings.KIND: how many there are, "none" until that is known; findings_listed: of the kinds that
@@ -213,58 +165,6 @@ std::optional<std::string> cluster_value(const DriverContext& c, const std::stri
   return std::nullopt;
 }
 
-// Of the export dialog. export_open; export_why: why nothing can be exported, or empty; export_preparing,
-// export_running; export_sheets (drawings), export_sheet (that is seen, from 0), export_sheet_line,
-// export_filled, export_parts_unplaced, export_failing, export_remarks: "none" until they are known;
-// export_zoom: pixels per mm; export_refusal, export_error; export_stopped; export_pass, export_files,
-// export_folder: of the newest result, "none" before it; export_chosen_folder, export_formats: of the dialog.
-std::optional<std::string> export_value(const DriverContext& c, const std::string& key) {
-  const AppState& state = c.state;
-  const ExportDialog& dialog = c.window.export_dialog;
-  const auto flag = [](bool on) { return std::string(on ? "1" : "0"); };
-  if (key == "export_open") return flag(dialog.open);
-  if (key == "export_why") return state.why_no_export() ? state.why_no_export()->what : "";
-  if (key == "export_preparing") return flag(state.export_preparing());
-  if (key == "export_running") return flag(state.exporting_to_workshop());
-  if (key == "export_stopped") return flag(state.export_stopped());
-  if (key == "export_refusal") return state.export_refusal() ? state.export_refusal()->what : "";
-  if (key == "export_error") return state.export_error() ? state.export_error()->text() : "";
-  if (key == "export_chosen_folder") return dialog.folder;
-  if (key == "export_zoom") return text_of(dialog.preview.pixels_per_mm());
-  if (key == "export_sheet") return text_of(dialog.sheet);
-  if (key == "export_formats") {
-    std::string names;
-    for (const ExportFormat format : c.window.settings.workshop_export.formats)
-      names += (names.empty() ? "" : " ") + std::string(name_of(format));
-    return names;
-  }
-  const auto& outcome = state.export_outcome();
-  if (key == "export_pass") return outcome ? flag(outcome->certificate.pass()) : "none";
-  if (key == "export_files") return outcome ? std::to_string(outcome->files.size()) : "none";
-  if (key == "export_folder") return outcome ? outcome->folder.string() : "none";
-  if (!key.starts_with("export_")) return std::nullopt;
-  const PreparedExport* prepared = state.export_preparation();
-  if (prepared == nullptr) return "none";
-  const ExportPreparation& made = prepared->made;
-  if (key == "export_sheets") return std::to_string(made.drawings.size());
-  if (key == "export_sheet_line") return sheet_line(made, dialog.sheet);
-  if (key == "export_filled") return text_of(made.nesting ? made.nesting->filled : 0.0);
-  if (key == "export_parts_unplaced") return std::to_string(made.nesting ? made.nesting->unplaced.size() : 0);
-  if (key == "export_failing") return text_of(made.verdicts.failed);
-  if (key == "export_remarks") return std::to_string(made.remarks.size());
-  if (key == "export_first_part") {  // of the sheet that is seen
-    if (!made.nesting || dialog.sheet >= static_cast<int>(made.nesting->sheets.size())) return "none";
-    const auto& parts = made.nesting->sheets[static_cast<std::size_t>(dialog.sheet)].parts;
-    return parts.empty() ? "none" : prepared->job.model->names[static_cast<std::size_t>(parts.front().panel)];
-  }
-  if (key == "export_first_panel") {
-    if (!made.nesting || dialog.sheet >= static_cast<int>(made.nesting->sheets.size())) return "none";
-    const auto& parts = made.nesting->sheets[static_cast<std::size_t>(dialog.sheet)].parts;
-    return text_of(parts.empty() ? -1 : parts.front().panel);
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 const std::vector<std::string>& state_keys() {
@@ -345,6 +245,9 @@ const std::vector<std::string>& state_keys() {
                                                 "cluster_error",
                                                 "sight",
                                                 "selected_regions",
+                                                "schedule_rows",
+                                                "schedule_sort",
+                                                "schedule_filter_error",
                                                 "layers",
                                                 "active_layer",
                                                 "browser_open",
@@ -434,8 +337,11 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (auto value = finding_value(state, key)) return value;
   if (auto value = suggestion_value(state, key)) return value;
   if (auto value = cluster_value(c, key)) return value;
-  if (auto value = workshop_value(c, key)) return value;
-  if (auto value = export_value(c, key)) return value;
+  if (auto value = workshop_state_value(c, key)) return value;
+  if (key == "clipboard") {
+    const char* text = ImGui::GetClipboardText();
+    return std::string(text != nullptr ? text : "");
+  }
   if (key == "findings_text") return why_no_findings(findings_standing(state), c.state.unit());
   if (key == "history") return count(document.history().size());
   if (key == "steps_done") return count(document.steps_done());

@@ -352,8 +352,8 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
   };
 
   // Commands on a control wait for it to be there.
-  static constexpr std::array kOnControls = {"click", "ctrl_click", "double_click", "hover",  "wheel",
-                                             "drag",  "press",      "move",         "drag_by"};
+  static constexpr std::array kOnControls = {"click", "ctrl_click", "shift_click", "double_click", "hover",
+                                             "wheel", "drag",       "press",       "move",         "drag_by"};
   const UiRecord* target = nullptr;
   if (std::find(kOnControls.begin(), kOnControls.end(), verb) != kOnControls.end()) {
     target = control(words[1], c);
@@ -391,8 +391,9 @@ void TestDriver::run(const ScriptCommand& command, const DriverContext& c, int f
   } else if (verb == "wait_frames") {
     const int until = frame + static_cast<int>(number(words[1]));
     wait("for frames", 600, [until](const DriverContext&, int now) { return now >= until; });
-  } else if (verb == "click" || verb == "ctrl_click" || verb == "double_click") {
-    click_at(middle_of(*target), HeldKeys{.ctrl = verb == "ctrl_click"}, verb == "double_click");
+  } else if (verb == "click" || verb == "ctrl_click" || verb == "shift_click" || verb == "double_click") {
+    click_at(middle_of(*target), HeldKeys{.ctrl = verb == "ctrl_click", .shift = verb == "shift_click"},
+             verb == "double_click");
   } else if (verb == "hover") {
     push({.mouse = middle_of(*target)}, 3);
   } else if (verb == "wheel") {

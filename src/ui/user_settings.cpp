@@ -43,7 +43,9 @@ Result<UserSettings> parse_user_settings(const std::string& text) {
   read(json, "left_width", s.left_width);
   read(json, "right_width", s.right_width);
   read(json, "bottom_height", s.bottom_height);
+  read(json, "schedule_height", s.schedule_height);
   read(json, "convergence_open", s.convergence_open);
+  read(json, "schedule_tab", s.schedule_tab);
   read(json, "dark", s.dark);
   read(json, "unit", s.unit);
   read(json, "show_ghost", s.show_ghost);
@@ -62,6 +64,7 @@ Result<UserSettings> parse_user_settings(const std::string& text) {
   s.left_width = std::clamp(s.left_width, 240.0f, 800.0f);
   s.right_width = std::clamp(s.right_width, 220.0f, 800.0f);
   s.bottom_height = std::clamp(s.bottom_height, 110.0f, 800.0f);
+  s.schedule_height = std::clamp(s.schedule_height, 110.0f, 800.0f);
   if (s.unit.size() > 12) s.unit = UserSettings().unit;
   return s;
 }
@@ -73,7 +76,9 @@ std::string format_user_settings(const UserSettings& s) {
       {"left_width", s.left_width},
       {"right_width", s.right_width},
       {"bottom_height", s.bottom_height},
+      {"schedule_height", s.schedule_height},
       {"convergence_open", s.convergence_open},
+      {"schedule_tab", s.schedule_tab},
       {"dark", s.dark},
       {"unit", s.unit},
       {"show_ghost", s.show_ghost},

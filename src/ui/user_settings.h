@@ -18,7 +18,9 @@ namespace planewright::ui {
 struct UserSettings {
   int window_width = 1440, window_height = 900;
   float left_width = 316, right_width = 300, bottom_height = 190;
-  bool convergence_open = true;
+  float schedule_height = 290;   // of the panel below the model while it shows the schedule
+  bool convergence_open = true;  // the panel below the model is open, whichever of its tabs it shows
+  bool schedule_tab = false;     // it shows the schedule, not the convergence
   bool dark = false;
   std::string unit = "m";  // what one unit of a model is called
   bool show_ghost = true;

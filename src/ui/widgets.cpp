@@ -32,7 +32,13 @@ void Ui::record(std::string_view name, ImVec2 min, ImVec2 max, bool enabled, flo
   const bool placed = window->HiddenFramesCanSkipItems == 0 && window->HiddenFramesCannotSkipItems == 0;
   r.clickable = placed && window->ClipRect.Contains(r.middle()) && !window->SkipItems;
   if (wanted_ == prefix_ + std::string(name)) {
-    if (!r.clickable) ImGui::SetScrollFromPosY(r.middle().y - window->Pos.y);
+    const ImVec2 at = r.middle();
+    const bool above_or_below = at.y < window->ClipRect.Min.y || at.y >= window->ClipRect.Max.y;
+    // Of a table that is scrolled sideways; the column's own clip rectangle is empty then.
+    const bool aside =
+        window->ScrollMax.x > 0 && (at.x < window->ClipRect.Min.x || at.x >= window->ClipRect.Max.x);
+    if (above_or_below || (!r.clickable && !aside)) ImGui::SetScrollFromPosY(at.y - window->Pos.y);
+    if (aside) ImGui::SetScrollFromPosX(at.x - window->Pos.x);
     wanted_.clear();
   }
 }

@@ -342,16 +342,15 @@ void Window::take_browser_result() {
 void Window::apply_wishes() {
   if (std::exchange(shown_.fit_wanted, false)) viewport_->fit(state_);
   if (std::exchange(shown_.reset_view_wanted, false)) viewport_->reset_direction(state_);
-  if (const auto look = std::exchange(shown_.look_at, std::nullopt))
-    viewport_->look_at(*look);
+  if (const auto look = std::exchange(shown_.look_at, std::nullopt)) viewport_->look_at(*look);
   if (const auto look = state_.take_look_at()) viewport_->look_at(*look);
   if (theme_->dark() != shown_.settings.dark) theme_->set_dark(shown_.settings.dark);
 }
 
 // Whether what the workshop makes of the panels is to be found out.
 bool Window::workshop_in_sight() const {
-  return shown_.export_dialog.open || shown_.right_tab == 2 || state_.view_options.names ||
-         state_.view_options.colours == ColourMap::Tolerances;
+  return shown_.export_dialog.open || shown_.right_tab == 2 || actions_->checked(Action::Schedule) ||
+         state_.view_options.names || state_.view_options.colours == ColourMap::Tolerances;
 }
 
 void Window::frame() {
@@ -375,7 +374,7 @@ void Window::frame() {
   draw_toolbar(desk, layout.toolbar);
   draw_design_panel(desk, layout.left);
   draw_findings_panel(desk, layout.right);
-  draw_convergence_panel(desk, layout.bottom);
+  draw_bottom_panel(desk, layout.bottom);
   draw_status_bar(desk, layout.status);
   draw_splitters(desk, layout);
   draw_solve_badge(desk, viewport_->panels_place());

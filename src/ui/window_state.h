@@ -11,6 +11,7 @@
 #include "ui/file_browser.h"
 #include "ui/look_at.h"
 #include "ui/name_field.h"
+#include "ui/schedule_view.h"
 #include "ui/user_settings.h"
 
 namespace planewright::ui {
@@ -28,6 +29,8 @@ struct WindowState {
   bool tab_wanted = false;
   std::optional<int> listed_finding, listed_suggestion,
       listed_failure;                         // that a list has last brought into sight
+  ScheduleView schedule;
+  std::optional<int> listed_panel;            // that the schedule has last brought into sight
   std::optional<MeshEdit> suggestion_wanted;  // that was clicked in the list
   bool fit_wanted = false, reset_view_wanted = false;
   std::optional<LookAt> look_at;

@@ -13,6 +13,8 @@ TEST(UserSettings, SurviveTheRoundTrip) {
   UserSettings settings{.window_width = 1234, .unit = "mm"};
   settings.left_width = 345.5f;
   settings.dark = true;
+  settings.schedule_height = 320.5f;
+  settings.schedule_tab = true;
   settings.show_hint = false;
   settings.auto_solve = false;
   settings.polish_automatically = true;
