@@ -44,6 +44,10 @@ class Strip {
     make_model();
     make_parts();
     content = {&model, &passports, &verdicts, &patterns, &solids, {drawing()}, {}, {}};
+    // The second panel lies on the first turned by a quarter, the third turned over.
+    classes = {{{{0}, {1, false, 1, 0.0}, {2, true, 2, 0.0}}}};
+    content.classes = &classes;
+    content.nesting = NestingOptions{{150.0, 60.0}, 2.0, 5.0, true};
   }
   ~Strip() { std::filesystem::remove_all(folder); }
   Strip(const Strip&) = delete;
@@ -304,10 +308,13 @@ class Strip {
     std::string out =
         "name,number,class,mirrored,corners,area_m2,perimeter_mm,width_mm,height_mm,planarity_mm,"
         "distance_mm,weight_kg,sheet,verdict,failures\r\n";
+    const std::string failures = "edge_min side 2: " + text(kSide) +
+                                 " < 50; edge_min side 4: " + text(kSide) + " < 50; area_max: 0.5 > 0.25";
     for (const PanelPassport& p : passports)
-      out += model.names[static_cast<size_t>(p.panel)] + "," + std::to_string(p.panel + 7) + ",1,no,4," +
-             text(p.area * 1e-6) + "," + text(p.perimeter) + "," + text(p.width) + "," + text(p.height) +
-             ",0,," + text(*p.weight) + ",1,pass,\r\n";
+      out += model.names[static_cast<size_t>(p.panel)] + "," + std::to_string(p.panel + 7) + ",1," +
+             (p.panel == 2 ? "yes" : "no") + ",4," + text(p.area * 1e-6) + "," + text(p.perimeter) + "," +
+             text(p.width) + "," + text(p.height) + ",0,," + text(*p.weight) + ",1," +
+             (p.panel == 1 ? "fail," + failures : "pass,") + "\r\n";
     return out;
   }
   std::string edge_csv() const {
@@ -319,7 +326,14 @@ class Strip {
     return out;
   }
   std::string json() const {
-    std::string panels, names;
+    std::string panels, names, members, parts;
+    const auto failure = [](const char* kind, const char* side, double measured, const char* limit) {
+      return std::string(R"({"kind":")") + kind + R"(","side":)" + side + R"(,"measured":)" + text(measured) +
+             R"(,"limit":)" + limit + "}";
+    };
+    const std::string failures = failure("edge_min", "2", kSide, "50") + "," +
+                                 failure("edge_min", "4", kSide, "50") + "," +
+                                 failure("area_max", "null", 0.5, "0.25");
     for (const PanelPassport& p : passports) {
       const std::string name = model.names[static_cast<size_t>(p.panel)], comma = p.panel > 0 ? "," : "";
       std::string sides, corners;
@@ -336,10 +350,22 @@ class Strip {
                 R"(,"area_m2":)" + text(p.area * 1e-6) + R"(,"perimeter_mm":)" + text(p.perimeter) +
                 R"(,"width_mm":)" + text(p.width) + R"(,"height_mm":)" + text(p.height) +
                 R"(,"planarity_mm":0,"distance_mm":null,"weight_kg":)" + text(*p.weight) +
-                R"(,"verdict":"pass","sides":[)" + sides + R"(],"corners_mm":[)" + corners + "]}";
+                R"(,"class":1,"mirrored":)" + (p.panel == 2 ? "true" : "false") +
+                R"(,"sheet":1,"verdict":")" +
+                (p.panel == 1 ? R"(fail","failures":[)" + failures : std::string(R"(pass","failures":[)")) +
+                R"(],"sides":[)" + sides + R"(],"corners_mm":[)" + corners + "]}";
+      members += comma + R"({"panel":")" + name + R"(","mirrored":)" + (p.panel == 2 ? "true" : "false") +
+                 R"(,"shift":)" + std::to_string(p.panel) + R"(,"deviation_mm":0})";
+      const Eigen::Vector2d at = place(p.panel).transpose();
+      parts += comma + R"({"panel":")" + name + R"(","rotation_rad":0,"shift_mm":[)" + text(at.x()) + "," +
+               text(at.y()) + "]}";
       names += comma + R"({"number":)" + std::to_string(p.panel + 7) + R"(,"name":")" + name + "\"}";
     }
-    return R"({"unit":"mm","panels":[)" + panels + R"(],"names":[)" + names + "]}";
+    const std::string filled = text(3.0 * kSide * kSide / (150.0 * 60.0));
+    return R"({"unit":"mm","passed":2,"failed":1,"classes":[[)" + members +
+           R"(]],"nesting":{"width_mm":150,"height_mm":60,"filled":)" + filled +
+           R"(,"unplaced":[],"sheets":[{"filled":)" + filled + R"(,"parts":[)" + parts +
+           R"(]}]},"panels":[)" + panels + R"(],"names":[)" + names + "]}";
   }
 
   WorkshopModel model;
@@ -347,6 +373,7 @@ class Strip {
   ToleranceVerdicts verdicts;
   std::vector<FlatPattern> patterns;
   ThickPanels solids;
+  std::vector<CongruenceClass> classes;
   ExportContent content;
   std::filesystem::path folder;
 
@@ -465,6 +492,12 @@ class Strip {
   }
 
   void make_parts() {
+    // The second fails.
+    verdicts.passed = 2;
+    verdicts.failed = 1;
+    verdicts.failures = {{1, ToleranceKind::EdgeMin, 1, kSide, 50.0},
+                         {1, ToleranceKind::EdgeMin, 3, kSide, 50.0},
+                         {1, ToleranceKind::AreaMax, -1, 0.5, 0.25}};
     for (int p = 0; p < 3; ++p) {
       PanelPassport passport;
       passport.panel = p;
@@ -477,8 +510,7 @@ class Strip {
         passport.sides.push_back({n, kSide, 90.0, 180.0, 0.0});
       }
       passports.push_back(passport);
-      verdicts.pass.push_back(true);
-      ++verdicts.passed;
+      verdicts.pass.push_back(p != 1);
       FlatPattern pattern;
       pattern.panel = p;
       pattern.nominal.resize(4, 2);
@@ -499,14 +531,14 @@ class Strip {
     }
   }
 
+  static Eigen::RowVector2d place(int panel) { return {10.0 + panel * (kSide + 7.0 / 3.0), 10.0 + panel}; }
   Drawing drawing() const {
     Drawing d{"strip", 150.0, 60.0, {}, {}};
     Contour border(4, 2);
     border << 0.0, 0.0, 150.0, 0.0, 150.0, 60.0, 0.0, 60.0;
     d.lines.push_back({DrawingLayer::Sheet, border, true, -1});
     for (int p = 0; p < 3; ++p) {
-      const Eigen::RowVector2d at(10.0 + p * (kSide + 7.0 / 3.0), 10.0 + p);
-      Contour cut = patterns[static_cast<size_t>(p)].cut.rowwise() + at;
+      Contour cut = patterns[static_cast<size_t>(p)].cut.rowwise() + place(p);
       d.lines.push_back({DrawingLayer::Cut, cut, true, p});
       Contour mark(2, 2);
       mark << cut.row(0) + Eigen::RowVector2d(5.0, 5.0), cut.row(0) + Eigen::RowVector2d(5.0, 9.0);

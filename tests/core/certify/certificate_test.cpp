@@ -154,7 +154,7 @@ TEST(Certificate, SchedulesWithOtherValues) {
   EXPECT_EQ(strip.failures("p.csv", FileKind::PanelCsv, replaced(strip.panel_csv(), area, "0.00112")),
             (Names{"values of the passports"}));
   EXPECT_EQ(strip.failures("p.csv", FileKind::PanelCsv, replaced(strip.panel_csv(), "A-2,", "A-1,")),
-            (Names{"every name once", "values of the passports"}));
+            (Names{"every name once", "values of the passports", "verdicts and failures"}));
   EXPECT_EQ(strip.failures("p.csv", FileKind::PanelCsv, replaced(strip.panel_csv(), "area_m2", "area")),
             (Names{"columns"}));
   EXPECT_EQ(strip.failures("e.csv", FileKind::EdgeCsv, replaced(strip.edge_csv(), "A-1,2,A-2", "A-1,2,A-3")),
@@ -167,8 +167,6 @@ TEST(Certificate, SchedulesWithOtherValues) {
   EXPECT_EQ(
       strip.failures("a.json", FileKind::ScheduleJson, replaced(strip.json(), "[[1000,", "[[1000.001,")),
       (Names{"corners"}));
-  EXPECT_EQ(strip.failures("a.json", FileKind::ScheduleJson, replaced(strip.json(), "\"pass\"", "\"fail\"")),
-            (Names{"values of the passports"}));
 }
 
 TEST(Certificate, MeshesWithFaults) {
@@ -228,7 +226,7 @@ Names design(const Strip& strip) {
 TEST(Certificate, DesignThatHolds) {
   const Strip strip;
   EXPECT_EQ(design(strip), Names{});
-  EXPECT_EQ(certify(strip.folder, {}, strip.content).design.size(), 7u);
+  EXPECT_EQ(certify(strip.folder, {}, strip.content).design.size(), 12u);
 }
 
 TEST(Certificate, DesignWithFaults) {
@@ -279,7 +277,7 @@ TEST(Certificate, LeftOutPanelsAreNotMissed) {
   std::erase_if(d.texts, [](const auto& t) { return t.panel == 2; });
   const std::string two = strip.dxf();
   EXPECT_EQ(strip.failures("a.dxf", FileKind::SheetDxf, two),
-            (Names{"all: every name once", "all: number of parts"}));
+            (Names{"design: every part on one drawing", "all: every name once", "all: number of parts"}));
   strip.content.left_out = {2};
   EXPECT_EQ(strip.failures("a.dxf", FileKind::SheetDxf, two), Names{});
 }
