@@ -224,6 +224,8 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
       const Vector2d ends = state_.to_page * (at_ * Vector2d(0.0, t.rise));
       const Vector2d up = state_.to_page.linear() * (at_.linear() * Vector2d(0.0, 0.35 * t.size));
       shown_.at = 0.5 * (begins_ + ends) + up;
+      shown_.width = (ends - begins_).norm();
+      shown_.height = 2.0 * up.norm();
     }
   }
   void end_text() {
