@@ -128,8 +128,9 @@ class Strip {
     return out + "</svg>\n";
   }
 
-  // Two pages, the drawing at 1:n. before: of every shown text.
-  std::string pdf(double written = 2.0, double drawn = 2.0) const {
+  // Two pages, the drawing at 1:n; names are as high on paper as that makes them, those of panels at
+  // least 1.7 mm up to 1:5. small: those along sides that should be left out are there.
+  std::string pdf(double written = 2.0, double drawn = 2.0, bool small = false) const {
     const Drawing& d = content.drawings[0];
     const double point = 72.0 / 25.4;
     const auto paper = [&](double v) { return text(std::round((20.0 + v / drawn) * point * 256.0) / 256.0); };
@@ -139,9 +140,22 @@ class Strip {
         page += paper(l.points(i, 0)) + " " + paper(l.points(i, 1)) + (i == 0 ? " m " : " l ");
       page += l.closed ? "h S\n" : "S\n";
     }
-    for (const DrawingText& t : d.texts)
-      page +=
-          "BT 4 0 0 4 " + paper(t.at.x()) + " " + paper(t.at.y()) + " Tm /F1 1 Tf (" + t.text + ")Tj ET\n";
+    // Half an em wide, capitals 0.7 of one high.
+    bool left_out = false;
+    for (const DrawingText& t : d.texts) {
+      const bool tiny = !t.is_name && t.height / drawn < 1.2;
+      left_out = left_out || tiny;
+      if (tiny && !small) continue;
+      const double least = t.is_name && drawn == 5.0 ? 1.7 : 0.0;
+      const double size = std::max(least, t.height / drawn) * point / 0.7;
+      const double width = 0.5 * size * static_cast<double>(t.text.size());
+      page += "BT " + text(size) + " 0 0 " + text(size) + " " +
+              text((20.0 + t.at.x() / drawn) * point - 0.5 * width) + " " +
+              text((20.0 + t.at.y() / drawn) * point - 0.35 * size) + " Tm /F1 1 Tf (" + t.text + ")Tj ET\n";
+    }
+    page += std::string("BT 9 0 0 9 700 20 Tm /F1 1 Tf (") +
+            (left_out ? "Edge names are left out at this scale" : "Drawn by hand at this scale, or at an") +
+            ")Tj ET\n";
     page += "BT 9 0 0 9 700 40 Tm /F1 1 Tf [(Scale )-20(1:" + text(written) + ")]TJ ET\n";
     return pdf_of({"BT 9 0 0 9 60 700 Tm /F1 1 Tf (Index)Tj ET\n", page});
   }
@@ -516,6 +530,7 @@ class Strip {
       pattern.nominal.resize(4, 2);
       pattern.nominal << 0.0, 0.0, kSide, 0.0, kSide, kSide, 0.0, kSide;
       pattern.outer = pattern.inner = pattern.cut = pattern.nominal;
+      pattern.side_of_segment = {0, 1, 2, 3};
       patterns.push_back(pattern);
       ThickPanel solid;
       solid.panel = p;

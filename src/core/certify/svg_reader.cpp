@@ -180,7 +180,11 @@ class Reader {
     const char* blanks = " \t\r\n";
     content.erase(0, content.find_first_not_of(blanks));
     content.erase(content.find_last_not_of(blanks) + 1);
-    drawing_.texts.push_back({around.layer, around.panel, content, around.transform * Vector2d(*x, *y)});
+    // Capitals are about 0.7 of the font's size high; the middle is half of that above the baseline.
+    const auto font = coordinate(node, "font-size");
+    if (!font) return tl::unexpected(font.error());
+    drawing_.texts.push_back(
+        {around.layer, around.panel, content, around.transform * Vector2d(*x, *y - 0.35 * *font)});
     return {};
   }
 

@@ -69,16 +69,18 @@ TEST(Certificate, DrawingsAtTheWrongScale) {
   // Inches that are millimetres: nothing lies where it should, which is said once for each.
   const Names dxf = strip.failures("a.dxf", FileKind::SheetDxf,
                                    replaced(strip.dxf(), "$INSUNITS\n70\n4", "$INSUNITS\n70\n1"));
-  EXPECT_EQ(dxf, (Names{"scale", "size", "contours", "engraving", "sheet border", "names on their parts"}));
+  EXPECT_EQ(dxf, (Names{"scale", "size", "contours", "engraving", "sheet border", "names on their parts",
+                        "edge names"}));
   EXPECT_EQ(strip.failures("a.dxf", FileKind::SheetDxf,
                            replaced(strip.dxf(), "$INSUNITS\n70\n4", "$INSUNITS\n70\n0")),
             (Names{"scale"}));
   const Names svg = strip.failures("a.svg", FileKind::SheetSvg,
                                    replaced(replaced(strip.svg(), "width=\"150mm\"", "width=\"150in\""),
                                             "height=\"60mm\"", "height=\"60in\""));
-  EXPECT_EQ(svg, (Names{"scale", "size", "contours", "engraving", "sheet border", "names on their parts"}));
+  EXPECT_EQ(svg, (Names{"scale", "size", "contours", "engraving", "sheet border", "names on their parts",
+                        "edge names"}));
   EXPECT_EQ(strip.failures("a.pdf", FileKind::SheetsPdf, strip.pdf(5.0, 2.0)),
-            (Names{"scale", "contours", "names on their parts"}));
+            (Names{"scale", "contours", "names on their parts", "edge names", "legible names"}));
 }
 
 TEST(Certificate, NamesMissingTwiceAndAstray) {
