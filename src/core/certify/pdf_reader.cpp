@@ -186,8 +186,8 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
         if (item.isString()) {
           show(item);
         } else if (item.isNumber()) {
-          // A jump of more than an em is another text on the same line.
-          if (std::abs(item.getNumericValue()) > 1000.0) end_text();
+          // A jump of more than a third of an em is another text on the same line.
+          if (std::abs(item.getNumericValue()) > 333.0) end_text();
           at_.translate(Vector2d(-item.getNumericValue() / 1000.0 * t.size * t.stretch, 0.0));
         }
       }

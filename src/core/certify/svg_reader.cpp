@@ -121,10 +121,8 @@ class Reader {
   }
 
   void add(const Around& around, std::vector<Vector2d> points, bool closed) {
-    if (points.size() > 2 && points.front() == points.back()) {
-      points.pop_back();
-      closed = true;
-    }
+    // An open line that comes back to where it began (a stroke of an engraved 0) is none that is closed.
+    if (closed && points.size() > 2 && points.front() == points.back()) points.pop_back();
     ReadLine read{around.layer, around.panel, Contour(static_cast<Eigen::Index>(points.size()), 2), closed};
     for (size_t i = 0; i < points.size(); ++i)
       read.points.row(static_cast<Eigen::Index>(i)) = around.transform * points[i];

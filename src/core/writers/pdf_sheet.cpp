@@ -114,7 +114,7 @@ void draw_sheet(PdfPen& pen, const PanelNames& panel_names, const Drawing& drawi
     names.try_emplace(text.panel,
                       Enlargement{text.at, reach, enlarged(pen, text, part->second, placed.scale)});
   }
-  for (const DrawingLine& line : drawing.lines) {
+  const auto draw_line = [&](const DrawingLine& line) {
     const auto name = names.find(line.panel);
     const bool grows = name != names.end() && name->second.factor > 1.0 && goes_with(line, name->second);
     Contour points(line.points.rows(), 2);
@@ -125,9 +125,8 @@ void draw_sheet(PdfPen& pen, const PanelNames& panel_names, const Drawing& drawi
     }
     const LineStyle style = style_of(line.layer);
     pen.polyline(points, line.closed, style.width, style.grey);
-  }
-  for (const DrawingText& text : drawing.texts) {
-    if (is_left_out(panel_names, text, placed.scale)) continue;
+  };
+  const auto draw_text = [&](const DrawingText& text) {
     // A name grows, and what stands with it does; names along sides do not.
     const auto name = names.find(text.panel);
     const bool grows = name != names.end() && !is_edge_name(panel_names, text);
@@ -137,7 +136,22 @@ void draw_sheet(PdfPen& pen, const PanelNames& panel_names, const Drawing& drawi
     const double height = text.height / placed.scale * factor;
     pen.text_about(text.text, at.x(), at.y(), text.is_name ? height : std::max(height, kLeastPdfText),
                    text.rotation, text.is_name ? kInk : kMiddleGrey, text.is_name);
+  };
+  // Texts after the lines of their part: cairo makes one text of two on the same line that nothing parts.
+  std::map<int, std::vector<const DrawingText*>> texts;
+  for (const DrawingText& text : drawing.texts)
+    if (!is_left_out(panel_names, text, placed.scale)) texts[text.panel].push_back(&text);
+  const auto draw_texts = [&](int panel) {
+    for (const DrawingText* text : texts[panel]) draw_text(*text);
+    texts.erase(panel);
+  };
+  std::map<int, int> lines_left;
+  for (const DrawingLine& line : drawing.lines) ++lines_left[line.panel];
+  for (const DrawingLine& line : drawing.lines) {
+    draw_line(line);
+    if (--lines_left[line.panel] == 0) draw_texts(line.panel);
   }
+  while (!texts.empty()) draw_texts(texts.begin()->first);
 }
 
 IndexRow index_row(const Drawing& drawing, int page, double scale) {

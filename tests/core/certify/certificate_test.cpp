@@ -41,6 +41,23 @@ TEST(Certificate, GoodFilesPass) {
   EXPECT_EQ(strip.failures("a.3mf", FileKind::SolidMesh, strip.three_mf()), Names{});
 }
 
+// The stroke of an engraved 0 is open, and ends where it begins.
+TEST(Certificate, StrokesThatComeBackAreOpen) {
+  Strip strip;
+  Contour stroke(5, 2);
+  stroke << 14.0, 14.0, 16.0, 14.0, 16.0, 17.0, 14.0, 17.0, 14.0, 14.0;
+  strip.content.drawings[0].lines.push_back({DrawingLayer::Engrave, stroke, false, 0});
+  EXPECT_EQ(strip.failures("a.dxf", FileKind::SheetDxf, strip.dxf()), Names{});
+  EXPECT_EQ(strip.failures("b.dxf", FileKind::SheetDxf, strip.dxf(true)), Names{});
+  EXPECT_EQ(strip.failures("a.svg", FileKind::SheetSvg, strip.svg()), Names{});
+  // What is to be cut has to be closed.
+  const std::string svg = strip.svg();
+  const size_t cut = svg.find("<g id=\"CUT\"");
+  EXPECT_EQ(strip.failures("a.svg", FileKind::SheetSvg,
+                           svg.substr(0, cut) + replaced(svg.substr(cut), "<polygon", "<polyline")),
+            (Names{"contours", "all: number of parts"}));
+}
+
 TEST(Certificate, WhatIsNoFileOfItsKindIsNotReadable) {
   const Strip strip;
   const std::vector<std::tuple<std::string, FileKind, std::string>> good{

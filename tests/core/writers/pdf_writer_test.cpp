@@ -150,6 +150,28 @@ TEST(PdfWriter, LeavesOutEdgeNamesThatNobodyCouldReadAndSaysSo) {
   }
 }
 
+// Parts beside each other, whose names nearly touch: two texts, not one that cairo makes of both.
+TEST(PdfWriter, NamesOnOneLineStayApart) {
+  const WorkshopModel model = named_cube();
+  Drawing drawing;
+  drawing.title = "row";
+  for (int p = 0; p < 6; ++p) {
+    drawing.lines.push_back(
+        {DrawingLayer::Cut, regular_polygon(6, 100.0, {100.0 + 210.0 * p, 100.0}), true, p});
+    drawing.texts.push_back({DrawingLayer::Text,
+                             model.names[static_cast<size_t>(p)],
+                             {100.0 + 210.0 * p, 100.0},
+                             80.0,
+                             0.0,
+                             p,
+                             true});
+  }
+  drawing.width = 1250.0;
+  drawing.height = 200.0;
+  const auto texts = texts_of(model, drawing);
+  for (const std::string& name : model.names) EXPECT_EQ(times(texts, name), 1) << name;
+}
+
 TEST(PdfWriter, NamesAreLegibleWhereTheirPartHasRoom) {
   const WorkshopModel model = named_cube();
   for (const double radius : {800.0, 40.0}) {
