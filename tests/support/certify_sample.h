@@ -44,6 +44,10 @@ class Strip {
     make_model();
     make_parts();
     content = {&model, &passports, &verdicts, &patterns, &solids, {drawing()}, {}, {}};
+    // The second panel lies on the first turned by a quarter, the third turned over.
+    classes = {{{{0}, {1, false, 1, 0.0}, {2, true, 2, 0.0}}}};
+    content.classes = &classes;
+    content.nesting = NestingOptions{{150.0, 60.0}, 2.0, 5.0, true};
   }
   ~Strip() { std::filesystem::remove_all(folder); }
   Strip(const Strip&) = delete;
@@ -124,8 +128,9 @@ class Strip {
     return out + "</svg>\n";
   }
 
-  // Two pages, the drawing at 1:n. before: of every shown text.
-  std::string pdf(double written = 2.0, double drawn = 2.0) const {
+  // Two pages, the drawing at 1:n; names are as high on paper as that makes them, those of panels at
+  // least 1.7 mm up to 1:5. small: those along sides that should be left out are there.
+  std::string pdf(double written = 2.0, double drawn = 2.0, bool small = false) const {
     const Drawing& d = content.drawings[0];
     const double point = 72.0 / 25.4;
     const auto paper = [&](double v) { return text(std::round((20.0 + v / drawn) * point * 256.0) / 256.0); };
@@ -135,9 +140,22 @@ class Strip {
         page += paper(l.points(i, 0)) + " " + paper(l.points(i, 1)) + (i == 0 ? " m " : " l ");
       page += l.closed ? "h S\n" : "S\n";
     }
-    for (const DrawingText& t : d.texts)
-      page +=
-          "BT 4 0 0 4 " + paper(t.at.x()) + " " + paper(t.at.y()) + " Tm /F1 1 Tf (" + t.text + ")Tj ET\n";
+    // Half an em wide, capitals 0.7 of one high.
+    bool left_out = false;
+    for (const DrawingText& t : d.texts) {
+      const bool tiny = !t.is_name && t.height / drawn < 1.2;
+      left_out = left_out || tiny;
+      if (tiny && !small) continue;
+      const double least = t.is_name && drawn == 5.0 ? 1.7 : 0.0;
+      const double size = std::max(least, t.height / drawn) * point / 0.7;
+      const double width = 0.5 * size * static_cast<double>(t.text.size());
+      page += "BT " + text(size) + " 0 0 " + text(size) + " " +
+              text((20.0 + t.at.x() / drawn) * point - 0.5 * width) + " " +
+              text((20.0 + t.at.y() / drawn) * point - 0.35 * size) + " Tm /F1 1 Tf (" + t.text + ")Tj ET\n";
+    }
+    page += std::string("BT 9 0 0 9 700 20 Tm /F1 1 Tf (") +
+            (left_out ? "Edge names are left out at this scale" : "Drawn by hand at this scale, or at an") +
+            ")Tj ET\n";
     page += "BT 9 0 0 9 700 40 Tm /F1 1 Tf [(Scale )-20(1:" + text(written) + ")]TJ ET\n";
     return pdf_of({"BT 9 0 0 9 60 700 Tm /F1 1 Tf (Index)Tj ET\n", page});
   }
@@ -304,10 +322,13 @@ class Strip {
     std::string out =
         "name,number,class,mirrored,corners,area_m2,perimeter_mm,width_mm,height_mm,planarity_mm,"
         "distance_mm,weight_kg,sheet,verdict,failures\r\n";
+    const std::string failures = "edge_min side 2: " + text(kSide) +
+                                 " < 50; edge_min side 4: " + text(kSide) + " < 50; area_max: 0.5 > 0.25";
     for (const PanelPassport& p : passports)
-      out += model.names[static_cast<size_t>(p.panel)] + "," + std::to_string(p.panel + 7) + ",1,no,4," +
-             text(p.area * 1e-6) + "," + text(p.perimeter) + "," + text(p.width) + "," + text(p.height) +
-             ",0,," + text(*p.weight) + ",1,pass,\r\n";
+      out += model.names[static_cast<size_t>(p.panel)] + "," + std::to_string(p.panel + 7) + ",1," +
+             (p.panel == 2 ? "yes" : "no") + ",4," + text(p.area * 1e-6) + "," + text(p.perimeter) + "," +
+             text(p.width) + "," + text(p.height) + ",0,," + text(*p.weight) + ",1," +
+             (p.panel == 1 ? "fail," + failures : "pass,") + "\r\n";
     return out;
   }
   std::string edge_csv() const {
@@ -319,7 +340,14 @@ class Strip {
     return out;
   }
   std::string json() const {
-    std::string panels, names;
+    std::string panels, names, members, parts;
+    const auto failure = [](const char* kind, const char* side, double measured, const char* limit) {
+      return std::string(R"({"kind":")") + kind + R"(","side":)" + side + R"(,"measured":)" + text(measured) +
+             R"(,"limit":)" + limit + "}";
+    };
+    const std::string failures = failure("edge_min", "2", kSide, "50") + "," +
+                                 failure("edge_min", "4", kSide, "50") + "," +
+                                 failure("area_max", "null", 0.5, "0.25");
     for (const PanelPassport& p : passports) {
       const std::string name = model.names[static_cast<size_t>(p.panel)], comma = p.panel > 0 ? "," : "";
       std::string sides, corners;
@@ -336,10 +364,22 @@ class Strip {
                 R"(,"area_m2":)" + text(p.area * 1e-6) + R"(,"perimeter_mm":)" + text(p.perimeter) +
                 R"(,"width_mm":)" + text(p.width) + R"(,"height_mm":)" + text(p.height) +
                 R"(,"planarity_mm":0,"distance_mm":null,"weight_kg":)" + text(*p.weight) +
-                R"(,"verdict":"pass","sides":[)" + sides + R"(],"corners_mm":[)" + corners + "]}";
+                R"(,"class":1,"mirrored":)" + (p.panel == 2 ? "true" : "false") +
+                R"(,"sheet":1,"verdict":")" +
+                (p.panel == 1 ? R"(fail","failures":[)" + failures : std::string(R"(pass","failures":[)")) +
+                R"(],"sides":[)" + sides + R"(],"corners_mm":[)" + corners + "]}";
+      members += comma + R"({"panel":")" + name + R"(","mirrored":)" + (p.panel == 2 ? "true" : "false") +
+                 R"(,"shift":)" + std::to_string(p.panel) + R"(,"deviation_mm":0})";
+      const Eigen::Vector2d at = place(p.panel).transpose();
+      parts += comma + R"({"panel":")" + name + R"(","rotation_rad":0,"shift_mm":[)" + text(at.x()) + "," +
+               text(at.y()) + "]}";
       names += comma + R"({"number":)" + std::to_string(p.panel + 7) + R"(,"name":")" + name + "\"}";
     }
-    return R"({"unit":"mm","panels":[)" + panels + R"(],"names":[)" + names + "]}";
+    const std::string filled = text(3.0 * kSide * kSide / (150.0 * 60.0));
+    return R"({"unit":"mm","passed":2,"failed":1,"classes":[[)" + members +
+           R"(]],"nesting":{"width_mm":150,"height_mm":60,"filled":)" + filled +
+           R"(,"unplaced":[],"sheets":[{"filled":)" + filled + R"(,"parts":[)" + parts +
+           R"(]}]},"panels":[)" + panels + R"(],"names":[)" + names + "]}";
   }
 
   WorkshopModel model;
@@ -347,6 +387,7 @@ class Strip {
   ToleranceVerdicts verdicts;
   std::vector<FlatPattern> patterns;
   ThickPanels solids;
+  std::vector<CongruenceClass> classes;
   ExportContent content;
   std::filesystem::path folder;
 
@@ -465,6 +506,12 @@ class Strip {
   }
 
   void make_parts() {
+    // The second fails.
+    verdicts.passed = 2;
+    verdicts.failed = 1;
+    verdicts.failures = {{1, ToleranceKind::EdgeMin, 1, kSide, 50.0},
+                         {1, ToleranceKind::EdgeMin, 3, kSide, 50.0},
+                         {1, ToleranceKind::AreaMax, -1, 0.5, 0.25}};
     for (int p = 0; p < 3; ++p) {
       PanelPassport passport;
       passport.panel = p;
@@ -477,13 +524,13 @@ class Strip {
         passport.sides.push_back({n, kSide, 90.0, 180.0, 0.0});
       }
       passports.push_back(passport);
-      verdicts.pass.push_back(true);
-      ++verdicts.passed;
+      verdicts.pass.push_back(p != 1);
       FlatPattern pattern;
       pattern.panel = p;
       pattern.nominal.resize(4, 2);
       pattern.nominal << 0.0, 0.0, kSide, 0.0, kSide, kSide, 0.0, kSide;
       pattern.outer = pattern.inner = pattern.cut = pattern.nominal;
+      pattern.side_of_segment = {0, 1, 2, 3};
       patterns.push_back(pattern);
       ThickPanel solid;
       solid.panel = p;
@@ -499,14 +546,14 @@ class Strip {
     }
   }
 
+  static Eigen::RowVector2d place(int panel) { return {10.0 + panel * (kSide + 7.0 / 3.0), 10.0 + panel}; }
   Drawing drawing() const {
     Drawing d{"strip", 150.0, 60.0, {}, {}};
     Contour border(4, 2);
     border << 0.0, 0.0, 150.0, 0.0, 150.0, 60.0, 0.0, 60.0;
     d.lines.push_back({DrawingLayer::Sheet, border, true, -1});
     for (int p = 0; p < 3; ++p) {
-      const Eigen::RowVector2d at(10.0 + p * (kSide + 7.0 / 3.0), 10.0 + p);
-      Contour cut = patterns[static_cast<size_t>(p)].cut.rowwise() + at;
+      Contour cut = patterns[static_cast<size_t>(p)].cut.rowwise() + place(p);
       d.lines.push_back({DrawingLayer::Cut, cut, true, p});
       Contour mark(2, 2);
       mark << cut.row(0) + Eigen::RowVector2d(5.0, 5.0), cut.row(0) + Eigen::RowVector2d(5.0, 9.0);

@@ -10,11 +10,14 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/result.h"
 #include "core/pattern/drawing.h"
+#include "core/pattern/nesting.h"
+#include "core/workshop/congruence.h"
 #include "core/workshop/panel_passport.h"
 #include "core/workshop/tolerance_sheet.h"
 #include "core/workshop/workshop_model.h"
@@ -49,6 +52,10 @@ struct ExportContent {
   std::vector<Drawing> drawings;             // sheets or rows, in order
   std::vector<int> left_out;  // panels that no drawing shows (crossing themselves, no sheet fits), ascending
   PdfOptions pdf;
+  const std::vector<CongruenceClass>* classes = nullptr;  // may be null: none are told
+  CongruenceOptions congruence = {};                      // that they were made with
+  std::optional<NestingOptions> nesting =
+      {};  // that drawings were laid with, as sheets; absent: rows, no sheets
 };
 
 struct Check {
@@ -63,8 +70,9 @@ struct FileCertificate {
 };
 struct Certificate {
   std::vector<Check>
-      design;  // of the document itself: planarity per panel, simple polygons, equal lengths of
-               // shared edges, areas of patterns and panels, closed solids, penetrating solids
+      design;  // of the document itself: planarity per panel, simple polygons, equal lengths of shared edges,
+               // areas of patterns and panels, classes of congruent panels, parts on the drawings (each once,
+               // as its pattern, apart from others, inside the margins), closed solids, penetrating solids
   // In the order asked for; after them "all DXF files together", "all SVG files together": parts and names.
   std::vector<FileCertificate> files;
   bool pass() const;

@@ -1,12 +1,14 @@
 #include "core/certify/design_checks.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "core/certify/check_text.h"
+#include "core/certify/class_checks.h"
 #include "core/certify/exact_signs.h"
+#include "core/certify/panel_outline.h"
+#include "core/certify/part_checks.h"
 #include "core/certify/solid_pairs.h"
 #include "core/certify/solid_shape.h"
 
@@ -47,24 +49,11 @@ Check planarity(const ExportContent& content) {
   return {"planarity", beyond.empty() && off <= kLengthLimit, detail};
 }
 
-// The outline in the panel's plane.
-Contour projected(const WorkshopModel& model, int panel) {
-  const Vector3d normal = model.normals.row(panel);
-  const Vector3d x = normal.unitOrthogonal(), y = normal.cross(x);
-  const Vector3d origin = model.points.row(model.panels[panel][0]);
-  Contour outline(model.panels.valence(panel), 2);
-  for (int k = 0; k < model.panels.valence(panel); ++k) {
-    const Vector3d p = model.points.row(model.panels[panel][static_cast<size_t>(k)]).transpose() - origin;
-    outline.row(k) << p.dot(x), p.dot(y);
-  }
-  return outline;
-}
-
 Check simple_polygons(const ExportContent& content) {
   const WorkshopModel& model = *content.model;
   std::vector<std::string> crossing, backwards;
   for (int p = 0; p < model.panel_count(); ++p) {
-    const Contour outline = projected(model, p);
+    const Contour outline = outline_in_plane(model, p);
     if (!is_simple(outline))
       crossing.push_back(name(model, p));
     else if (area_sign(outline) <= 0)
@@ -155,6 +144,9 @@ std::vector<Check> check_design(const ExportContent& content) {
     checks.push_back(equal_lengths(content));
     checks.push_back(areas(content));
   }
+  if (content.classes) checks.push_back(check_classes(content));
+  if (!content.drawings.empty())
+    for (Check& check : check_parts(content)) checks.push_back(std::move(check));
   if (content.solids) solid_checks(content, checks);
   return checks;
 }

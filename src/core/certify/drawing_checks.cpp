@@ -6,6 +6,7 @@
 
 #include "core/certify/check_text.h"
 #include "core/certify/contour_match.h"
+#include "core/certify/edge_name_checks.h"
 #include "core/certify/exact_signs.h"
 
 namespace planewright {
@@ -231,6 +232,7 @@ std::vector<Check> check_drawing(const ReadDrawing& read, const ExportContent& c
   checks.push_back(lines_equal("sheet border", sheet.first, sheet.second, model));
   shape_checks(cut.first, model, checks);
   name_checks(read, drawing, model, checks);
+  checks.push_back(check_edge_names(read, drawing, content));
   return checks;
 }
 

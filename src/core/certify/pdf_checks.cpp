@@ -10,6 +10,7 @@
 #include "core/certify/contour_match.h"
 #include "core/certify/drawing_checks.h"
 #include "core/certify/exact_signs.h"
+#include "core/certify/pdf_text_checks.h"
 
 namespace planewright {
 namespace {
@@ -159,6 +160,7 @@ std::vector<Check> check_pdf(const std::vector<ReadPage>& pages, const ExportCon
   std::vector<std::string> no_scale, lost, astray;
   size_t contours = 0, found = 0;
   double largest = 0.0, limit = 0.0, coarsest = 0.0;
+  PdfTextChecks texts(content);
   for (size_t d = 0; d < content.drawings.size() && d + index < pages.size(); ++d) {
     const ReadPage& page = pages[d + index];
     const Drawing& drawing = content.drawings[d];
@@ -189,6 +191,7 @@ std::vector<Check> check_pdf(const std::vector<ReadPage>& pages, const ExportCon
                      " (" + where + ")");
     for (const std::string& name : names_astray(page, drawing, *content.model, scale, best->shift))
       astray.push_back(name + " (" + where + ")");
+    texts.page(page, drawing, scale, best->shift, 3.0 * kPaper, where);
   }
   const bool any = enough;
   checks.push_back({"scale", any && no_scale.empty(),
@@ -201,6 +204,7 @@ std::vector<Check> check_pdf(const std::vector<ReadPage>& pages, const ExportCon
   checks.push_back({"contours", any && found == contours, shapes});
   checks.push_back({"names on their parts", any && no_scale.empty() && astray.empty(),
                     astray.empty() ? "each once inside its contour" : "not once inside: " + listed(astray)});
+  texts.append_to(checks, any && no_scale.empty());
   return checks;
 }
 

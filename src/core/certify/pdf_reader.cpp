@@ -186,8 +186,8 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
         if (item.isString()) {
           show(item);
         } else if (item.isNumber()) {
-          // A jump of more than an em is another text on the same line.
-          if (std::abs(item.getNumericValue()) > 1000.0) end_text();
+          // A jump of more than a third of an em is another text on the same line.
+          if (std::abs(item.getNumericValue()) > 333.0) end_text();
           at_.translate(Vector2d(-item.getNumericValue() / 1000.0 * t.size * t.stretch, 0.0));
         }
       }
@@ -224,6 +224,8 @@ class Interpreter : public QPDFObjectHandle::ParserCallbacks {
       const Vector2d ends = state_.to_page * (at_ * Vector2d(0.0, t.rise));
       const Vector2d up = state_.to_page.linear() * (at_.linear() * Vector2d(0.0, 0.35 * t.size));
       shown_.at = 0.5 * (begins_ + ends) + up;
+      shown_.width = (ends - begins_).norm();
+      shown_.height = 2.0 * up.norm();
     }
   }
   void end_text() {

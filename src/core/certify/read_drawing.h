@@ -16,8 +16,9 @@ struct ReadLine {
   bool closed = false;
 };
 struct ReadText {
-  std::string layer, panel, text;  // UTF-8
-  Eigen::Vector2d at;
+  std::string layer, panel, text;    // UTF-8
+  Eigen::Vector2d at;                // the middle
+  double width = 0.0, height = 0.0;  // mm, height of capitals; 0: the reader does not tell
 };
 struct ReadDrawing {
   std::string unit;                     // as the file says it: "$INSUNITS 4"

@@ -121,10 +121,8 @@ class Reader {
   }
 
   void add(const Around& around, std::vector<Vector2d> points, bool closed) {
-    if (points.size() > 2 && points.front() == points.back()) {
-      points.pop_back();
-      closed = true;
-    }
+    // An open line that comes back to where it began (a stroke of an engraved 0) is none that is closed.
+    if (closed && points.size() > 2 && points.front() == points.back()) points.pop_back();
     ReadLine read{around.layer, around.panel, Contour(static_cast<Eigen::Index>(points.size()), 2), closed};
     for (size_t i = 0; i < points.size(); ++i)
       read.points.row(static_cast<Eigen::Index>(i)) = around.transform * points[i];
@@ -180,7 +178,11 @@ class Reader {
     const char* blanks = " \t\r\n";
     content.erase(0, content.find_first_not_of(blanks));
     content.erase(content.find_last_not_of(blanks) + 1);
-    drawing_.texts.push_back({around.layer, around.panel, content, around.transform * Vector2d(*x, *y)});
+    // Capitals are about 0.7 of the font's size high; the middle is half of that above the baseline.
+    const auto font = coordinate(node, "font-size");
+    if (!font) return tl::unexpected(font.error());
+    drawing_.texts.push_back(
+        {around.layer, around.panel, content, around.transform * Vector2d(*x, *y - 0.35 * *font)});
     return {};
   }
 

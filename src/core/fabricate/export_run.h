@@ -51,6 +51,7 @@ struct ExportPreparation {
   std::vector<PanelPassport> passports;
   ToleranceVerdicts verdicts;
   std::vector<CongruenceClass> classes;
+  CongruenceOptions congruence;  // that they were made with
   std::optional<ThickPanels> solids;
   std::vector<FlatPattern> patterns;
   std::optional<Nesting> nesting;

@@ -73,9 +73,9 @@ Result<ExportPreparation> prepare_export(const std::shared_ptr<const WorkshopMod
   made.passports = make_passports(*model, {settings.thickness, settings.density, reference});
   made.verdicts = check_tolerances(*model, made.passports, settings.tolerances);
   if (stop.stop_requested()) return stopped_error();
-  CongruenceOptions congruence = settings.congruence;
-  congruence.bevels = settings.thickness > 0.0;
-  made.classes = congruence_classes(*model, made.passports, congruence);
+  made.congruence = settings.congruence;
+  made.congruence.bevels = settings.thickness > 0.0;
+  made.classes = congruence_classes(*model, made.passports, made.congruence);
   if (stop.stop_requested()) return stopped_error();
 
   if (settings.thickness != 0.0) {

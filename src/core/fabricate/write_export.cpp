@@ -105,7 +105,10 @@ Result<ExportOutcome> write_export(const std::shared_ptr<const WorkshopModel>& m
                               .solids = prepared.solids ? &*prepared.solids : nullptr,
                               .drawings = prepared.drawings,
                               .left_out = prepared.left_out,
-                              .pdf = settings.pdf};
+                              .pdf = settings.pdf,
+                              .classes = &prepared.classes,
+                              .congruence = prepared.congruence,
+                              .nesting = prepared.nesting ? settings.nesting : std::nullopt};
   outcome.certificate = certify(staged->path(), files, content, [&](int done, int total) {
     tell("certifying", total > 0 ? double(done) / total : 1.0);
   });

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.h"
@@ -41,6 +42,13 @@ struct PdfOptions {
   double page_width = 420.0, page_height = 297.0;  // mm (A3)
   TitleBlock title;
 };
+// On paper, mm, of capital letters. An edge name that would be smaller than the first is left out of its
+// page, whose title block then says so in these words. A panel's name is always there, and at least as high
+// as the second wherever its part has room for that round the name's place; what else a drawing says of a
+// panel (a failure) is no smaller than the first.
+inline constexpr double kLeastPdfText = 1.2, kLeastPdfName = 1.6;
+inline constexpr std::string_view kPdfEdgeNamesLeftOut = "Edge names are left out at this scale";
+
 // One page per drawing, each at the largest of the usual scales (1:1, 1:2, 1:5, 1:10, 1:20, 1:25, 1:50,
 // 1:100, ...) that fits, the scale written, with a scale bar, title block and "page n of m". Text is text.
 // Not compressed where cairo allows. The first page is an index: the sheets, their filling, parts that fit no

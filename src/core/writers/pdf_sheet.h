@@ -2,13 +2,21 @@
 #pragma once
 
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "core/writers/pdf_pen.h"
 
 namespace planewright {
 
-void draw_sheet(PdfPen& pen, const Drawing& drawing, const PlacedDrawing& placed);
+// Of all panels: what tells edge names from notes.
+using PanelNames = std::unordered_set<std::string>;
+
+// Whether the page leaves out edge names, which would be too small on it (kLeastPdfText).
+bool leaves_out_edge_names(const PanelNames& names, const Drawing& drawing, const PlacedDrawing& placed);
+
+// Without those.
+void draw_sheet(PdfPen& pen, const PanelNames& names, const Drawing& drawing, const PlacedDrawing& placed);
 
 struct IndexRow {
   int page;

@@ -66,7 +66,14 @@ void draw_page_frame(PdfPen& pen, const PageLayout& layout, const TitleBlock& bl
   else
     pen.text("Planewright", box.x + kPad, numbers + 5.0, kCaption, kMiddleGrey);
   const std::string note = block.note.empty() ? "Dimensions in mm" : block.note;
-  pen.text(pen.fitted(note, width, kCaption), box.x + kPad, box.y + box.height - 2.6, kCaption, kMiddleGrey);
+  // What the page says of itself is never cut; the note has what that leaves.
+  const double line = box.y + box.height - 2.6;
+  double room = width;
+  if (title.without_edge_names) {
+    pen.text(kPdfEdgeNamesLeftOut, right - kPad, line, kCaption, kMiddleGrey, TextAnchor::Right);
+    room -= pen.text_width(kPdfEdgeNamesLeftOut, kCaption) + 2.0 * kPad;
+  }
+  pen.text(pen.fitted(note, room, kCaption), box.x + kPad, line, kCaption, kMiddleGrey);
 }
 
 }  // namespace planewright

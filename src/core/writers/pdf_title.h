@@ -11,6 +11,7 @@ struct PageTitle {
   std::string title;   // of the drawing
   double scale = 0.0;  // the n of 1:n; 0: none (index)
   int page = 1, pages = 1;
+  bool without_edge_names = false;  // of the page; it says so
 };
 
 // project: TitleBlock::project, or the model's title where that is empty.

@@ -69,10 +69,11 @@ Result<std::string> format_pdf(const WorkshopModel& model, const std::vector<Dra
   const int index_pages = IndexPages(pen, layout, rows, notes).count();
   for (size_t k = 0; k < rows.size(); ++k) rows[k].page = index_pages + static_cast<int>(k) + 1;
   const IndexPages index(pen, layout, rows, notes);
+  const PanelNames panel_names(model.names.begin(), model.names.end());
   const int pages = index_pages + static_cast<int>(drawings.size());
 
-  const auto finish_page = [&](const std::string& title, double scale, int page) {
-    draw_page_frame(pen, layout, options.title, project, {title, scale, page, pages});
+  const auto finish_page = [&](const std::string& title, double scale, int page, bool without_edge_names) {
+    draw_page_frame(pen, layout, options.title, project, {title, scale, page, pages, without_edge_names});
     const std::string link = "page=" + std::to_string(page);
     cairo_pdf_surface_add_outline(surface.get(), CAIRO_PDF_OUTLINE_ROOT, clean_text(title).c_str(),
                                   link.c_str(), CAIRO_PDF_OUTLINE_FLAG_OPEN);
@@ -80,11 +81,12 @@ Result<std::string> format_pdf(const WorkshopModel& model, const std::vector<Dra
   };
   for (int k = 0; k < index_pages; ++k) {
     index.draw(k);
-    finish_page("Index", 0.0, k + 1);
+    finish_page("Index", 0.0, k + 1, false);
   }
   for (size_t k = 0; k < drawings.size(); ++k) {
-    draw_sheet(pen, drawings[k], placed[k]);
-    finish_page(drawings[k].title, placed[k].scale, index_pages + static_cast<int>(k) + 1);
+    draw_sheet(pen, panel_names, drawings[k], placed[k]);
+    finish_page(drawings[k].title, placed[k].scale, index_pages + static_cast<int>(k) + 1,
+                leaves_out_edge_names(panel_names, drawings[k], placed[k]));
   }
   cairo_surface_finish(surface.get());
   for (const cairo_status_t status : {cairo_status(context.get()), cairo_surface_status(surface.get())})

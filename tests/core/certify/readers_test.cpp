@@ -126,7 +126,7 @@ TEST(PdfReader, PathsAndTextsInMillimetres) {
   ASSERT_EQ(read->size(), 2u);
   EXPECT_NEAR(read->front().width, 420.0, 1e-9);
   EXPECT_EQ(read->back().lines.size(), strip.content.drawings[0].lines.size());
-  EXPECT_EQ(read->back().texts.size(), strip.content.drawings[0].texts.size() + 1);
+  EXPECT_EQ(read->back().texts.size(), strip.content.drawings[0].texts.size() + 2);
   EXPECT_EQ(read->back().texts.back().text, "Scale 1:2");
 }
 

@@ -3,6 +3,7 @@
 #include <cstdlib>
 #include <limits>
 
+#include "core/certify/pdf_reader.h"
 #include "core/writers/drawing_writers.h"
 #include "support/python.h"
 #include "support/writer_scenes.h"
@@ -111,6 +112,86 @@ TEST(PdfWriter, DrawsPartsAtTheScaleItWrites) {
   }
   EXPECT_EQ(cut, 6);
   EXPECT_EQ(engraved, 6);
+}
+
+// What the only sheet of a PDF says, as its reader sees it.
+std::vector<ReadText> texts_of(const WorkshopModel& model, const Drawing& drawing,
+                               const std::string& note = {}) {
+  PdfOptions options;
+  options.title.note = note;
+  const auto pdf = format_pdf(model, {drawing}, {}, options);
+  const TemporaryFolder folder;
+  const auto pages = read_pdf(folder.write("sheets.pdf", pdf.value()));
+  return pages.value().back().texts;
+}
+long long times(const std::vector<ReadText>& texts, std::string_view wanted) {
+  return std::count_if(texts.begin(), texts.end(), [&](const ReadText& t) { return t.text == wanted; });
+}
+
+TEST(PdfWriter, LeavesOutEdgeNamesThatNobodyCouldReadAndSaysSo) {
+  const WorkshopModel model = named_cube();
+  for (const double height : {23.0, 25.0}) {  // at 1:20
+    Drawing drawing = hexagons(model, 3, 800.0, "Sheet 1");
+    for (DrawingText& text : drawing.texts)
+      if (!text.is_name) text.height = height;
+    DrawingText mark = drawing.texts[0];
+    mark.text = "FAILS: area";
+    mark.is_name = false;
+    mark.height = 3.0;
+    drawing.texts.push_back(mark);
+    const bool left_out = height / 20.0 < kLeastPdfText;
+    for (const std::string& note : {std::string(), std::string("a long note "), std::string(300, 'n')}) {
+      const auto texts = texts_of(model, drawing, note);
+      EXPECT_EQ(times(texts, kPdfEdgeNamesLeftOut), left_out ? 1 : 0) << note;
+      EXPECT_EQ(times(texts, "FAILS: area"), 1);
+      for (const std::string& name : model.names) EXPECT_EQ(times(texts, name), left_out ? 1 : 7) << name;
+      for (const ReadText& text : texts) EXPECT_GE(text.height, 0.95 * kLeastPdfText) << text.text;
+    }
+  }
+}
+
+// Parts beside each other, whose names nearly touch: two texts, not one that cairo makes of both.
+TEST(PdfWriter, NamesOnOneLineStayApart) {
+  const WorkshopModel model = named_cube();
+  Drawing drawing;
+  drawing.title = "row";
+  for (int p = 0; p < 6; ++p) {
+    drawing.lines.push_back(
+        {DrawingLayer::Cut, regular_polygon(6, 100.0, {100.0 + 210.0 * p, 100.0}), true, p});
+    drawing.texts.push_back({DrawingLayer::Text,
+                             model.names[static_cast<size_t>(p)],
+                             {100.0 + 210.0 * p, 100.0},
+                             80.0,
+                             0.0,
+                             p,
+                             true});
+  }
+  drawing.width = 1250.0;
+  drawing.height = 200.0;
+  const auto texts = texts_of(model, drawing);
+  for (const std::string& name : model.names) EXPECT_EQ(times(texts, name), 1) << name;
+}
+
+TEST(PdfWriter, NamesAreLegibleWhereTheirPartHasRoom) {
+  const WorkshopModel model = named_cube();
+  for (const double radius : {800.0, 40.0}) {
+    Drawing drawing = hexagons(model, 3, 800.0, "Sheet 1");
+    for (DrawingText& text : drawing.texts) text.height = 4.0;  // 0.2 mm at 1:20
+    for (DrawingLine& line : drawing.lines)
+      if (line.layer == DrawingLayer::Cut) {
+        const Eigen::RowVector2d middle = line.points.colwise().mean();
+        line.points = (line.points.rowwise() - middle) * (radius / 800.0);
+        line.points.rowwise() += middle;
+      }
+    for (const ReadText& text : texts_of(model, drawing)) {
+      if (std::find(model.names.begin(), model.names.end(), text.text) == model.names.end()) continue;
+      const double room = 0.866 * radius / 20.0;
+      if (radius > 100.0)
+        EXPECT_GE(text.height, 0.95 * kLeastPdfName);
+      else
+        EXPECT_LE(std::hypot(text.width, text.height), 2.0 * room) << "inside its part";
+    }
+  }
 }
 
 TEST(PdfWriter, OfNoDrawingsIsAnIndexAndOfBadOnesRefused) {
