@@ -7,8 +7,10 @@
 #include <cctype>
 #include <utility>
 
+#include "core/edit/project_file.h"
 #include "ui/format.h"
 #include "ui/layer_edits.h"
+#include "ui/leaving.h"
 
 namespace planewright::ui {
 
@@ -18,6 +20,8 @@ const std::vector<ActionInfo>& action_list() {
   const auto shifted = [](int k) { return KeyPress{k, false, true, false}; };
   static const std::vector<ActionInfo> list = {
       {Action::Open, "open", "Open…", "Ctrl O", {ctrl(GLFW_KEY_O)}},
+      {Action::Save, "save", "Save", "Ctrl S", {ctrl(GLFW_KEY_S)}},
+      {Action::SaveAs, "save as", "Save as…", "Ctrl Shift S", {ctrl(GLFW_KEY_S, true)}},
       {Action::Export, "export", "Save panels as mesh…", "Ctrl E", {ctrl(GLFW_KEY_E)}},
       {Action::ExportWorkshop,
        "export workshop",
@@ -128,6 +132,9 @@ bool Actions::enabled(Action action) const {
   const bool has_clusters = has_design && state_.document().settings().mode == ComplexKind::Cluster;
   const bool has_findings = state_.finding_list().size() > 0;
   switch (action) {
+    case Action::Save:
+    case Action::SaveAs:
+      return has_design && !state_.saving();
     case Action::Export:
       return state_.can_export();
     case Action::Undo:
@@ -374,8 +381,24 @@ void Actions::run(Action action) {
   ViewOptions& view = state_.view_options;
   switch (action) {
     case Action::Open:
-      window_.browser.open(FileBrowser::Purpose::OpenMesh, window_.settings.last_folder);
+      window_.browser.open(FileBrowser::Purpose::Open, window_.settings.last_folder);
       break;
+    case Action::Save:
+      if (!state_.project_path().empty()) {
+        state_.save_project(state_.project_path());
+        break;
+      }
+      [[fallthrough]];
+    case Action::SaveAs: {
+      const std::filesystem::path& path = state_.project_path();
+      const std::string stem =
+          (path.empty() ? std::filesystem::path(state_.document().name()) : path).stem().string();
+      window_.browser.open(
+          FileBrowser::Purpose::SaveProject,
+          path.empty() ? std::filesystem::path(window_.settings.last_folder) : path.parent_path(),
+          stem + std::string(kProjectEnding));
+      break;
+    }
     case Action::Export: {
       std::string stem = std::filesystem::path(state_.document().name()).stem().string();
       window_.browser.open(FileBrowser::Purpose::ExportPanels, window_.settings.last_folder,
@@ -386,7 +409,7 @@ void Actions::run(Action action) {
       window_.export_dialog_wanted = true;
       break;
     case Action::Quit:
-      window_.quit = true;
+      leave(window_, state_, {Leaving::What::Quit, {}});
       break;
     case Action::Undo:
       state_.undo();

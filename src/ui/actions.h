@@ -15,6 +15,8 @@ namespace planewright::ui {
 
 enum class Action {
   Open,
+  Save,
+  SaveAs,
   Export,
   ExportWorkshop,
   Quit,

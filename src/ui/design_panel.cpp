@@ -105,7 +105,7 @@ void draw_solve(Desk& desk) {
       ui.value_row("What is shown", "is older than the design", ui.colours().warning);
     }
   } else {
-    ui.value_row("Result", "–");
+    ui.value_row("Result", state.shows_saved() ? "as saved" : "–", state.shows_saved() ? ui.colours().good : 0);
     ui.value_row("Steps, time", "–");
   }
 }

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cstdlib>
 
+#include "core/edit/project_file.h"
 #include "core/mesh/mesh_io.h"
 #include "ui/format.h"
 
@@ -24,8 +25,49 @@ std::string lower(std::string text) {
   return text;
 }
 
-bool is_mesh_name(const fs::path& path) {
-  return format_of(path).has_value();
+bool is_project_name(const fs::path& path) {
+  return lower(path.extension().string()) == kProjectEnding;
+}
+
+// What is listed: what can be opened, or what a new file could take the place of.
+bool is_listed(FileBrowser::Purpose purpose, const fs::path& path) {
+  switch (purpose) {
+    case FileBrowser::Purpose::Open:
+      return is_project_name(path) || format_of(path).has_value();
+    case FileBrowser::Purpose::SaveProject:
+      return is_project_name(path);
+    case FileBrowser::Purpose::ExportPanels:
+      return format_of(path).has_value();
+    case FileBrowser::Purpose::ChooseFolder:
+      break;
+  }
+  return false;
+}
+
+// The words of each purpose.
+struct Words {
+  const char *title, *empty, *hint, *name_hint, *accept;
+};
+Words words_of(FileBrowser::Purpose purpose) {
+  switch (purpose) {
+    case FileBrowser::Purpose::Open:
+      return {"Open a project or a mesh###files",
+              "No folders, projects or meshes (.planewright .obj .off .ply .stl) here.",
+              "Arrow keys choose, Enter opens, Escape closes. Or drop a file on the window.", "name or path",
+              "Open"};
+    case FileBrowser::Purpose::SaveProject:
+      return {"Save the project###files", "No folders and no projects here.",
+              "The design with its settings, names and solved panels. Undo steps are not kept.",
+              "name of the project", "Save"};
+    case FileBrowser::Purpose::ExportPanels:
+      return {"Save panels as mesh###files", "No folders and no meshes (.obj .off .ply .stl) here.",
+              "The ending picks the format: .obj, .off, .ply or .stl.", "name of the new file", "Save"};
+    case FileBrowser::Purpose::ChooseFolder:
+      break;
+  }
+  return {"Choose a folder###files", "No folders here.",
+          "A double click goes into a folder. The name can be that of a new one.", "name of a folder here",
+          "Choose"};
 }
 
 fs::path home_folder() {
@@ -64,7 +106,7 @@ void FileBrowser::enter(const fs::path& folder) {
     std::error_code ignored;  // a file that vanishes meanwhile is simply not listed
     entry.is_folder = item.is_directory(ignored);
     if (!entry.is_folder) {
-      if (choosing_folder() || !item.is_regular_file(ignored) || !is_mesh_name(item.path())) continue;
+      if (!is_listed(purpose_, item.path()) || !item.is_regular_file(ignored)) continue;
       entry.size = item.file_size(ignored);
       if (ignored) continue;
     }
@@ -126,8 +168,12 @@ std::optional<fs::path> FileBrowser::accept() {
     is_open_ = false;
     return path;
   }
-  if (!path.has_extension()) path += kEndings[static_cast<std::size_t>(format_)];
-  if (const auto format = format_of(path); !format) {
+  if (purpose_ == Purpose::SaveProject) {
+    if (!is_project_name(path)) path += kProjectEnding;
+  } else if (!path.has_extension()) {
+    path += kEndings[static_cast<std::size_t>(format_)];
+  }
+  if (const auto format = format_of(path); has_formats() && !format) {
     trouble_ = format.error().text();
     return std::nullopt;
   }
@@ -224,9 +270,7 @@ bool FileBrowser::draw_entries(Ui& ui, float height) {
     ImGui::PopID();
   }
   scroll_to_selected_ = false;
-  if (entries_.empty())
-    ui.small_text(choosing_folder() ? "No folders here."
-                                    : "No folders and no meshes (.obj .off .ply .stl) here.");
+  if (entries_.empty()) ui.small_text(words_of(purpose_).empty);
   if (ImGui::IsWindowFocused() && !ImGui::IsAnyItemActive()) {
     if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Backspace)) && folder_.has_parent_path()) {
       enter(folder_.parent_path());
@@ -259,11 +303,9 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, ui.px(6));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 1.0f);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(ui.px(16), ui.px(14)));
-  const char* title = choosing_folder() ? "Choose a folder###files"
-                      : saving()        ? "Save panels as mesh###files"
-                                        : "Open a mesh###files";
+  const Words words = words_of(purpose_);
   bool keep_open = true;
-  ImGui::Begin(title, &keep_open,
+  ImGui::Begin(words.title, &keep_open,
                ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoScrollbar |
                    ImGuiWindowFlags_NoScrollWithMouse);
   {
@@ -283,29 +325,22 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
     } else if (!trouble_.empty()) {
       ui.wrapped(trouble_, ui.colours().error);
     } else {
-      ui.small_text(
-          choosing_folder() ? "A double click goes into a folder. The name can be that of a new one."
-          : saving()        ? "The ending picks the format: .obj, .off, .ply or .stl."
-                            : "Arrow keys choose, Enter opens, Escape closes. Or drop a file on the window.");
+      ui.small_text(words.hint);
     }
 
     // The name and what to do with it.
-    const float button = ui.px(110), format = saving() ? ui.px(90) : 0;
+    const float button = ui.px(110), format = has_formats() ? ui.px(90) : 0;
     const float space = ImGui::GetStyle().ItemSpacing.x;
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - 2 * button - 2 * space -
-                            (saving() ? format + space : 0));
+                            (has_formats() ? format + space : 0));
     if (appearing_) ImGui::SetKeyboardFocusHere();
-    if (ImGui::InputTextWithHint("##name",
-                                 choosing_folder() ? "name of a folder here"
-                                 : saving()        ? "name of the new file"
-                                                   : "name or path",
-                                 &name_,
+    if (ImGui::InputTextWithHint("##name", words.name_hint, &name_,
                                  ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll)) {
       wants = true;
     }
     const bool typing = ImGui::IsItemActive();
     ui.record_item("name");
-    if (saving()) {
+    if (has_formats()) {
       ImGui::SameLine();
       ImGui::SetNextItemWidth(format);
       const fs::path named(name_);
@@ -328,7 +363,7 @@ std::optional<fs::path> FileBrowser::draw(Ui& ui) {
     if (ui.button("cancel", "Cancel", look)) keep_open = false;
     ImGui::SameLine();
     look.primary = true;
-    if (ui.button("accept", choosing_folder() ? "Choose" : saving() ? "Save" : "Open", look)) wants = true;
+    if (ui.button("accept", words.accept, look)) wants = true;
 
     if (ImGui::IsWindowFocused(ImGuiFocusedFlags_RootAndChildWindows)) {
       if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_DownArrow))) move_selection(1);

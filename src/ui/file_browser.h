@@ -19,7 +19,7 @@ namespace planewright::ui {
 
 class FileBrowser {
  public:
-  enum class Purpose { OpenMesh, ExportPanels, ChooseFolder };
+  enum class Purpose { Open, SaveProject, ExportPanels, ChooseFolder };
 
   // `folder`: where to begin; the working directory if it is empty or gone. `name`: what to call a new file.
   void open(Purpose purpose, const std::filesystem::path& folder, std::string name = {});
@@ -38,7 +38,8 @@ class FileBrowser {
     std::uintmax_t size = 0;
   };
   void enter(const std::filesystem::path& folder);
-  bool saving() const { return purpose_ == Purpose::ExportPanels; }
+  bool saving() const { return purpose_ == Purpose::ExportPanels || purpose_ == Purpose::SaveProject; }
+  bool has_formats() const { return purpose_ == Purpose::ExportPanels; }
   bool choosing_folder() const { return purpose_ == Purpose::ChooseFolder; }
   std::optional<std::filesystem::path> accept();
   void move_selection(int by);
@@ -46,7 +47,7 @@ class FileBrowser {
   bool draw_entries(Ui& ui, float height);
 
   bool is_open_ = false, appearing_ = false, scroll_to_selected_ = false;
-  Purpose purpose_ = Purpose::OpenMesh;
+  Purpose purpose_ = Purpose::Open;
   std::filesystem::path folder_;
   std::vector<Entry> entries_;
   int selected_ = -1;

@@ -7,6 +7,7 @@
 
 #include "core/mesh/sample_shapes.h"
 #include "ui/format.h"
+#include "ui/leaving.h"
 #include "ui/panels.h"
 
 namespace planewright::ui {
@@ -36,7 +37,8 @@ void item(Desk& desk, Action action) {
 std::string design_line(const Desk& desk) {
   const Document& document = desk.state.document();
   if (document.empty()) return "no design";
-  return document.name() + "  ·  " + format_count(document.mesh()->vertex_count()) + " V  ·  " +
+  return (desk.state.modified() ? "• " : "") + desk.state.title() + "  ·  " +
+         format_count(document.mesh()->vertex_count()) + " V  ·  " +
          format_count(document.mesh()->face_count()) + " F  ·  " + desk.state.unit();
 }
 
@@ -64,12 +66,14 @@ float draw_menu_bar(Desk& desk) {
         const Ui::Scope samples_scope(ui, "Menu/File/Samples");
         for (const SampleInfo& sample : samples()) {
           const std::string name(sample.name);
-          if (ImGui::MenuItem(name.c_str())) desk.state.open_sample(name);
+          if (ImGui::MenuItem(name.c_str())) leave(desk.window, desk.state, {Leaving::What::Sample, name});
           ui.record_item(name);
           ui.tooltip_if_hovered(sample.description);
         }
         ImGui::EndMenu();
       }
+      item(desk, Action::Save);
+      item(desk, Action::SaveAs);
       ImGui::Separator();
       item(desk, Action::ExportWorkshop);
       item(desk, Action::Export);

@@ -32,6 +32,7 @@ void draw_splitters(Desk& desk, const Layout& layout);
 void draw_solve_badge(Desk& desk, const Rect& viewport);  // how the solve stands, and the polish
 void draw_hint(Desk& desk, const Rect& viewport);         // what to try at first
 void draw_messages(Desk& desk, const Rect& viewport);     // errors and notices; they wait for nobody
+void draw_leaving(Desk& desk);                            // what is to become of unsaved changes
 void draw_help_cards(Desk& desk);                         // keys, timings, about
 
 // Edits of the mesh, as lines of an open menu, and as a menu of their own at the mouse; all steps so far.

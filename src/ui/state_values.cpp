@@ -355,6 +355,7 @@ std::optional<std::string> state_value(const DriverContext& c, const std::string
   if (key == "ghost") return flag(state.view_options.ghost);
   if (key == "dark") return flag(c.window.settings.dark);
   if (key == "unit") return c.state.unit();
+  if (key == "modified") return flag(c.state.modified());
   if (key == "messages") return count(state.messages().size());
   if (key == "messages_posted") return count(state.messages_posted());
   if (key == "last_message") {

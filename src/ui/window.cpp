@@ -172,6 +172,7 @@ class Window {
   std::optional<Actions> actions_;
   std::optional<TestDriver> driver_;
   std::optional<UiDump> dump_;
+  std::string title_ = "Planewright";
   int frame_ = 0;
   int frames_due_ = kFramesAfterInput;
   Clock::time_point last_frame_{};
@@ -254,8 +255,13 @@ double Window::sleep_seconds() const {
 }
 
 Result<void> Window::run() {
-  while (!shown_.quit && glfwWindowShouldClose(window_.get()) == GLFW_FALSE &&
-         !(driver_ && driver_->done())) {
+  while (!shown_.quit && !(driver_ && driver_->done())) {
+    if (glfwWindowShouldClose(window_.get()) != GLFW_FALSE) {
+      glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
+      leave(shown_, state_, {Leaving::What::Quit, {}});
+      frames_due_ = kFramesAfterInput;
+      if (shown_.quit) break;
+    }
     if (driver_ && driver_->idle() && frames_due_ == 0) {
       glfwWaitEventsTimeout(0.02);
     } else if (frames_due_ > 0 || driver_) {
@@ -306,7 +312,7 @@ Result<void> Window::run() {
 void Window::handle_keys() {
   const auto keys = std::exchange(gathered_.keys, {});
   const auto characters = std::exchange(gathered_.characters, {});
-  if (ImGui::GetIO().WantTextInput || shown_.browser.is_open()) return;
+  if (ImGui::GetIO().WantTextInput || shown_.browser.is_open() || shown_.leaving) return;
   for (const KeyPress& key : keys) actions_->press(key);
   for (const char32_t character : characters) type_character(character);
 }
@@ -318,7 +324,7 @@ void Window::type_character(char32_t character) {
 
 void Window::drop(const std::vector<fs::path>& paths) {
   if (paths.empty()) return;
-  state_.open_file(paths.front());
+  leave(shown_, state_, {Leaving::What::Open, paths.front()});
   if (paths.size() > 1) {
     state_.post(Message::Kind::Info,
                 "only the first of " + std::to_string(paths.size()) + " files is opened");
@@ -329,8 +335,10 @@ void Window::take_browser_result() {
   const auto path = shown_.browser.draw(*ui_);
   if (!path) return;
   shown_.settings.last_folder = path->parent_path().string();
-  if (shown_.browser.purpose() == FileBrowser::Purpose::OpenMesh) {
-    state_.open_file(*path);
+  if (shown_.browser.purpose() == FileBrowser::Purpose::Open) {
+    leave(shown_, state_, {Leaving::What::Open, *path});
+  } else if (shown_.browser.purpose() == FileBrowser::Purpose::SaveProject) {
+    state_.save_project(*path);
   } else if (shown_.browser.purpose() == FileBrowser::Purpose::ChooseFolder) {
     shown_.export_dialog.folder = path->string();
     state_.forget_export_outcome();
@@ -345,6 +353,10 @@ void Window::apply_wishes() {
   if (const auto look = std::exchange(shown_.look_at, std::nullopt)) viewport_->look_at(*look);
   if (const auto look = state_.take_look_at()) viewport_->look_at(*look);
   if (theme_->dark() != shown_.settings.dark) theme_->set_dark(shown_.settings.dark);
+  const std::string name = state_.title();
+  const std::string title =
+      name.empty() ? "Planewright" : (state_.modified() ? "• " : "") + name + " – Planewright";
+  if (title != title_) glfwSetWindowTitle(window_.get(), (title_ = title).c_str());
 }
 
 // Whether what the workshop makes of the panels is to be found out.
@@ -383,6 +395,7 @@ void Window::frame() {
   draw_messages(desk, layout.viewport);
   take_browser_result();
   draw_help_cards(desk);
+  draw_leaving(desk);
   if (const auto target = viewport_->take_context_request()) open_context_menu(desk, *target);
   draw_context_menu(desk);
   actions_->apply_requested();

@@ -9,6 +9,7 @@
 #include "ui/edit_choices.h"
 #include "ui/export_dialog.h"
 #include "ui/file_browser.h"
+#include "ui/leaving.h"
 #include "ui/look_at.h"
 #include "ui/name_field.h"
 #include "ui/schedule_view.h"
@@ -28,7 +29,7 @@ struct WindowState {
   int right_tab = 0;        // findings, report, workshop
   bool tab_wanted = false;
   std::optional<int> listed_finding, listed_suggestion,
-      listed_failure;                         // that a list has last brought into sight
+      listed_failure;  // that a list has last brought into sight
   ScheduleView schedule;
   std::optional<int> listed_panel;            // that the schedule has last brought into sight
   std::optional<MeshEdit> suggestion_wanted;  // that was clicked in the list
@@ -36,6 +37,7 @@ struct WindowState {
   std::optional<LookAt> look_at;
   EditTarget context_target;  // of the menu that the right button opened
   NameTyping typing;
+  std::optional<Leaving> leaving;  // that waits for the designer to say what becomes of unsaved changes
   bool quit = false;
 };
 

@@ -98,5 +98,22 @@ TEST(ColourMap, SeveritiesGoFromPaleOverAmberToRed) {
   EXPECT_EQ(colour_of(scale, 1.0), severity_colour(1.0f));
 }
 
+TEST(ColourMap, VerdictsAreCoolWhereALimitIsKeptAndWarmWhereNot) {
+  ColourScale scale;
+  scale.map = ColourScale::Map::Verdict;
+  scale.low = 0.0;
+  scale.high = 2.0;
+  scale.tolerance = 1.0;
+  for (const double value : {0.0, 0.5, 0.9, 0.999})
+    EXPECT_LT(colour_of(scale, value).r, colour_of(scale, value).g);
+  for (const double value : {1.001, 1.5, 2.0, 9.0})
+    EXPECT_GT(colour_of(scale, value).r, colour_of(scale, value).g);
+  // The table that the graphics card reads has the same, next to the break as well.
+  const ColourTable table = verdict_table();
+  const auto entry = [&](float t) { return static_cast<std::size_t>(4 * std::lround(255.0f * t)); };
+  EXPECT_LT(table[entry(kBreakBelow) + 4], table[entry(kBreakBelow) + 5]);
+  EXPECT_GT(table[entry(kBreakAbove) - 4], table[entry(kBreakAbove) - 3]);
+}
+
 }  // namespace
 }  // namespace planewright::render
