@@ -241,8 +241,7 @@ std::string why_no_row(const ScheduleView& view) {
   if (query.only_selected && query.filter.empty() && !query.only_failing) return "No panel is selected.";
   if (query.only_failing && query.filter.empty() && !query.only_selected)
     return "Every panel keeps the tolerance sheet.";
-  return "No panel is like that. All " + format_count(view.schedule().size()) +
-         " are there once filter and switches are off.";
+  return "No panel is like that.";
 }
 
 void draw_sum(Desk& desk, const Rect& line) {
