@@ -129,6 +129,12 @@ TEST_F(WindowTest, FiltersTheScheduleByTyping) {
     wait_frames 3
     expect schedule_rows < $all
     expect schedule.0.corners == 6
+    # Also what was typed before the field was entered again.
+    click "Schedule/row 0"
+    wait_frames 3
+    expect schedule_rows < $all
+    click "Schedule/filter"
+    wait_frames 3
     key Escape
     wait_frames 3
     expect schedule_rows == $all
