@@ -140,6 +140,17 @@ void draw_titles(Ui& ui, ScheduleQuery& query) {
   }
 }
 
+// All that the sheet says of a panel, as a tooltip.
+void explain_failures(const Ui& ui, const PreparedWorkshop& from, int panel) {
+  std::string text;
+  for (const ToleranceFailure& failure : from.verdicts.failures) {
+    if (failure.panel != panel) continue;
+    if (!text.empty()) text += '\n';
+    text += describe(failure, *from.model);
+  }
+  ui.tooltip(text);
+}
+
 void draw_row(Desk& desk, int row, float height) {
   Ui& ui = desk.ui;
   const Palette& p = ui.colours();
@@ -176,11 +187,7 @@ void draw_row(Desk& desk, int row, float height) {
     draw_cell(ui, view.schedule(), panel, column, cell);
     if (column == ScheduleColumn::Verdict && hovered && view.schedule().row(panel).failure >= 0 &&
         ImGui::IsMouseHoveringRect(cell.min, cell.max)) {
-      const PreparedWorkshop& from = *view.schedule().from;
-      std::string text;
-      for (const ToleranceFailure& failure : from.verdicts.failures)
-        if (failure.panel == panel) text += (text.empty() ? "" : "\n") + describe(failure, *from.model);
-      ui.tooltip(text);
+      explain_failures(ui, *view.schedule().from, panel);
     }
   }
   if (view.selected(panel) || pointed_at) {
