@@ -239,7 +239,7 @@ Schedule make_schedule(std::shared_ptr<const PreparedWorkshop> from, const Sched
 }
 
 std::string class_label(int class_index) {
-  return row_letters(class_index);
+  return std::to_string(class_index + 1);
 }
 
 std::string cell_text(const Schedule& schedule, int panel, ScheduleColumn column) {

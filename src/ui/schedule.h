@@ -75,10 +75,10 @@ struct Schedule {
 // before: an earlier one, whose order of names is kept if they are the same; may be null.
 Schedule make_schedule(std::shared_ptr<const PreparedWorkshop> from, const Schedule* before = nullptr);
 
-// "A", "B", ... "AA"; the file's class 1 is A.
+// "1", "2", ...: as files have it.
 std::string class_label(int class_index);
 
-// A cell as the table shows it: "C-17", "1,753", "2.31", "A ×3", "planarity 0.71 > 0.5 mm, and 2 more".
+// A cell as the table shows it: "C-17", "1,753", "2.31", "12 ×3", "planarity 0.71 > 0.5 mm, and 2 more".
 std::string cell_text(const Schedule& schedule, int panel, ScheduleColumn column);
 
 // What is asked of the table.

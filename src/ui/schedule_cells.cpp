@@ -24,7 +24,7 @@ const char* widest_text(ScheduleColumn column) {
     case ScheduleColumn::BevelMax:
       return "88.8";
     case ScheduleColumn::Class:
-      return "AAA ×99";
+      return "888 ×88";
     case ScheduleColumn::Verdict:
       return "planarity …";
     default:

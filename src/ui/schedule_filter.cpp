@@ -188,16 +188,13 @@ class Parser {
   void of_class(const std::string& word, const std::string& label) {
     if (!schedule_.classes) return reject(word, "classes are known when a solve has ended");
     const auto count = static_cast<int>(schedule_.from->classes.size());
-    if (label.empty()) return reject(word, "a class comes after the colon, as in class:A");
+    if (label.empty()) return reject(word, "a class comes after the colon, as in class:12");
     Term term;
     term.kind = Term::Kind::Class;
-    if (const auto number = number_in(label);
-        number && *number == std::floor(*number) && *number >= 1 && *number <= count)
-      term.class_index = static_cast<int>(*number) - 1;
     for (int c = 0; c < count && term.class_index < 0; ++c)
-      if (same_word(class_label(c), label)) term.class_index = c;
+      if (class_label(c) == label) term.class_index = c;
     if (term.class_index < 0)
-      return reject(word, count == 1 ? "the only class is A" : "classes are A to " + class_label(count - 1));
+      return reject(word, count == 1 ? "the only class is 1" : "classes are 1 to " + class_label(count - 1));
     filter.terms.push_back(term);
   }
   void compare(const std::string& word, std::size_t measure, const std::string& op,

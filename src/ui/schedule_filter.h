@@ -1,7 +1,7 @@
 // ScheduleFilter: a line of words that says which panels of a schedule are wanted. All of them have to hold:
 //
 //   C-1          in the name           to:C-17    beside that panel
-//   fails        passes                class:A    of that class (or class:1, as files have it)
+//   fails        passes                class:12   of that class
 //   area>2       edge<300      corners=6      planarity>=0.2      width!=1200 mm
 //
 // Capitals make no difference, nor do blanks round an operator. "edge" is any edge of the panel, "shortest"

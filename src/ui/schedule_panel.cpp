@@ -17,7 +17,7 @@ constexpr const char* kFilterHelp =
     "Words that all have to hold:\n"
     "C-1   in the panel's name\n"
     "to:C-17   beside that panel\n"
-    "class:A   fails   passes\n"
+    "class:12   fails   passes\n"
     "area>2   edge<300   corners=6   planarity>=0.2\n"
     "also shortest, longest, angle, bevel, distance, weight, width, height";
 
@@ -78,9 +78,10 @@ void draw_tools(Desk& desk, const Rect& line) {
   ImFont* small = ui.theme().small();
   const float gap = ui.px(8);
   const auto chip_width = [&](const char* label) { return text_size(small, label).x + ui.px(28); };
-  const bool in_words = !ui.theme().has_icons();
-  const float copy = in_words ? ui.px(52) : ImGui::GetFrameHeight();
-  const float others = chip_width("Failing") + chip_width("Selected") + copy + ui.px(4) + 2 * gap;
+  const float chips = chip_width("Failing") + chip_width("Selected") + ui.px(4) + 2 * gap;
+  const bool in_words = !ui.theme().has_icons() || line.width() - chips > ui.px(300);
+  const float copy = in_words ? ui.px(78) : ImGui::GetFrameHeight();
+  const float others = chips + copy;
   const float filter = std::clamp(line.width() - others, ui.px(60), ui.px(300));
 
   ImGui::SetCursorScreenPos(line.min);
@@ -126,13 +127,28 @@ void set_up_columns(Ui& ui, const Schedule& schedule, float width) {
 void draw_titles(Ui& ui, ScheduleQuery& query) {
   ImGui::TableNextRow(ImGuiTableRowFlags_Headers, title_height(ui));
   for (int c = 0; c < kScheduleColumns; ++c) {
-    if (!ImGui::TableSetColumnIndex(c)) continue;
     const auto column = static_cast<ScheduleColumn>(c);
+    if (!ImGui::TableSetColumnIndex(c)) {  // scrolled out of sight
+      const ImRect place = ImGui::TableGetCellBgRect(ImGui::GetCurrentTable(), c);
+      ui.record("column " + info(column).name, place.Min, place.Max);
+      continue;
+    }
     const bool sorted = query.sort == column;
     if (!draw_column_title(ui, column, sorted, query.descending)) continue;
     query.descending = sorted && !query.descending;
     query.sort = column;
   }
+}
+
+// All that the sheet says of a panel, as a tooltip.
+void explain_failures(const Ui& ui, const PreparedWorkshop& from, int panel) {
+  std::string text;
+  for (const ToleranceFailure& failure : from.verdicts.failures) {
+    if (failure.panel != panel) continue;
+    if (!text.empty()) text += '\n';
+    text += describe(failure, *from.model);
+  }
+  ui.tooltip(text);
 }
 
 void draw_row(Desk& desk, int row, float height) {
@@ -171,11 +187,7 @@ void draw_row(Desk& desk, int row, float height) {
     draw_cell(ui, view.schedule(), panel, column, cell);
     if (column == ScheduleColumn::Verdict && hovered && view.schedule().row(panel).failure >= 0 &&
         ImGui::IsMouseHoveringRect(cell.min, cell.max)) {
-      const PreparedWorkshop& from = *view.schedule().from;
-      std::string text;
-      for (const ToleranceFailure& failure : from.verdicts.failures)
-        if (failure.panel == panel) text += (text.empty() ? "" : "\n") + describe(failure, *from.model);
-      ui.tooltip(text);
+      explain_failures(ui, *view.schedule().from, panel);
     }
   }
   if (view.selected(panel) || pointed_at) {
@@ -231,27 +243,12 @@ void draw_table(Desk& desk, const Rect& place) {
 
 // --- What else there is to say ---------------------------------------------------------------------
 
-// Why there are no rows at all; empty: there are some.
-std::string why_nothing(const AppState& state) {
-  if (state.document().empty()) return "No panels yet: open a mesh.";
-  if (!state.shown())
-    return state.busy() ? "Known when the solve has come to panels." : "No panels yet. Space solves.";
-  if (const auto& error = state.workshop_error()) {
-    std::string text = capitalised(error->what) + ".";
-    if (!error->where.empty()) text = error->where + ": " + error->what + ".";
-    return error->remedy.empty() ? text : text + " " + error->remedy;
-  }
-  if (!state.workshop()) return "Known when the panels are measured …";
-  return {};
-}
-
 std::string why_no_row(const ScheduleView& view) {
   const ScheduleQuery& query = view.query;
   if (query.only_selected && query.filter.empty() && !query.only_failing) return "No panel is selected.";
   if (query.only_failing && query.filter.empty() && !query.only_selected)
     return "Every panel keeps the tolerance sheet.";
-  return "No panel is like that. All " + format_count(view.schedule().size()) +
-         " are there once filter and switches are off.";
+  return "No panel is like that.";
 }
 
 void draw_sum(Desk& desk, const Rect& line) {
@@ -288,7 +285,7 @@ void draw_schedule(Desk& desk, const Rect& head, const Rect& body) {
     draw_tools(desk, {body.min, ImVec2(body.max.x, bottom)});
     table.min.y = bottom + ui.px(4);
   }
-  if (const std::string why = why_nothing(desk.state); !why.empty()) {
+  if (const std::string why = why_no_schedule(desk.state); !why.empty()) {
     const bool wrong = desk.state.workshop_error() && desk.state.shown();
     ImGui::SetCursorScreenPos(ImVec2(table.min.x, table.min.y + ui.px(8)));
     ui.wrapped(why, wrong ? ui.colours().warning : ui.colours().ink_soft);

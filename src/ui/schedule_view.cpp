@@ -2,7 +2,22 @@
 
 #include <algorithm>
 
+#include "ui/format.h"
+
 namespace planewright::ui {
+
+std::string why_no_schedule(const AppState& state) {
+  if (state.document().empty()) return "No panels yet: open a mesh.";
+  if (!state.shown())
+    return state.busy() ? "Known when the solve has come to panels." : "No panels yet. Space solves.";
+  if (const auto& error = state.workshop_error()) {
+    std::string text = capitalised(error->what) + ".";
+    if (!error->where.empty()) text = error->where + ": " + error->what + ".";
+    return error->remedy.empty() ? text : text + " " + error->remedy;
+  }
+  if (!state.workshop()) return "Known when the panels are measured …";
+  return {};
+}
 
 void ScheduleView::update(const AppState& state) {
   bool stale = made_for_ != query;
@@ -10,8 +25,8 @@ void ScheduleView::update(const AppState& state) {
     schedule_ = make_schedule(workshop, &schedule_);
     stale = true;
   }
-  const SelectionKey key(state.selection_changes(), state.document().revision(), state.shown().get());
-  if (selected_for_ != key) {
+  const SelectionKey key(state.selection_changes(), state.document().revision());
+  if (selected_for_ != key || selected_of_.lock() != state.shown()) {
     selected_for_ = key;
     selected_of_ = state.shown();
     std::vector<bool> selected;

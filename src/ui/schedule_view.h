@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <tuple>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -15,6 +15,9 @@
 #include "ui/schedule.h"
 
 namespace planewright::ui {
+
+// Why there is nothing to list, for the designer; empty: there are panels that are known.
+std::string why_no_schedule(const AppState& state);
 
 class ScheduleView {
  public:
@@ -40,15 +43,15 @@ class ScheduleView {
   void click(AppState& state, int row, bool ctrl, bool shift);
 
  private:
-  using SelectionKey = std::tuple<std::uint64_t, std::uint64_t, const void*>;
+  using SelectionKey = std::pair<std::uint64_t, std::uint64_t>;  // changes of it, and of the document
 
   Schedule schedule_;
   std::vector<bool> selected_;
   ScheduleList list_;
   std::optional<ScheduleQuery> made_for_;
   std::optional<SelectionKey> selected_for_;
-  std::shared_ptr<const PreparedView> selected_of_;  // keeps the key's address taken
-  std::optional<int> anchor_;                        // panel
+  std::weak_ptr<const PreparedView> selected_of_;
+  std::optional<int> anchor_;  // panel
   bool rearranged_ = false;
   int made_ = 0;
 };

@@ -109,10 +109,11 @@ std::optional<std::string> export_value(const DriverContext& c, const std::strin
   return std::nullopt;
 }
 
-// Of the schedule as it was last drawn. schedule_rows: how many are listed, of schedule_panels;
-// schedule_sort: "area descending"; schedule_filter_error; schedule_sum; schedule_made: how often its list
-// was made; schedule_row: where the panel that is pointed at stands, -1 for nowhere; schedule.ROW.COLUMN: a
-// cell's text; schedule.ROW.panel; schedule.ROW.selected.
+// Of the schedule as it was last drawn. schedule_rows: how many are listed, "none" until that is known, of
+// schedule_panels; schedule_text: why there are none; schedule_sort: "area descending";
+// schedule_filter_error; schedule_sum; schedule_made: how often the list was made; schedule_row: where the
+// panel that is pointed at stands, -1 for nowhere; schedule.ROW.COLUMN: a cell's text; schedule.ROW.panel;
+// schedule.ROW.selected.
 std::optional<std::string> schedule_value(const DriverContext& c, const std::string& key) {
   const ScheduleView& view = c.window.schedule;
   if (key == "schedule_rows") return view.schedule().from ? text_of(view.list().size()) : "none";
@@ -121,6 +122,7 @@ std::optional<std::string> schedule_value(const DriverContext& c, const std::str
     return info(view.query.sort).name + (view.query.descending ? " descending" : " ascending");
   if (key == "schedule_filter_error") return view.list().filter_error;
   if (key == "schedule_sum") return view.schedule().from ? sum_text(view.schedule(), view.list()) : "none";
+  if (key == "schedule_text") return why_no_schedule(c.state);
   if (key == "schedule_made") return text_of(view.made());
   if (key == "schedule_row")
     return text_of(c.state.selected_panel ? view.row_of(*c.state.selected_panel).value_or(-1) : -1);

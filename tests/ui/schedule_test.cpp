@@ -75,8 +75,8 @@ TEST(ScheduleTest, CellsReadAsAWorkshopReadsThem) {
   EXPECT_EQ(cell_text(schedule, 1, Column::Distance), "–") << "no reference, no distance";
   EXPECT_EQ(cell_text(schedule, 1, Column::Weight), "5");
   EXPECT_EQ(cell_text(schedule, 1, Column::Size), "1,000 × 200");
-  EXPECT_EQ(cell_text(schedule, 0, Column::Class), "A ×2");
-  EXPECT_EQ(cell_text(schedule, 1, Column::Class), "B ×1");
+  EXPECT_EQ(cell_text(schedule, 0, Column::Class), "1 ×2");
+  EXPECT_EQ(cell_text(schedule, 1, Column::Class), "2 ×1");
   EXPECT_EQ(cell_text(schedule, 1, Column::Verdict), "pass");
   // Two edges of 100 mm.
   EXPECT_EQ(cell_text(schedule, 0, Column::Verdict), "edge length 100 < 150 mm, and 1 more");
@@ -182,11 +182,11 @@ TEST(ScheduleTest, EqualIsWhatReadsTheSame) {
 
 TEST(ScheduleTest, FindsClassesByLetterAndByTheFilesNumber) {
   const Schedule schedule = make_schedule(rectangles());
-  EXPECT_EQ(filtered(schedule, "class:A"), (Names{"1", "12"}));
+  EXPECT_EQ(filtered(schedule, "class:1"), (Names{"1", "12"}));
   EXPECT_EQ(filtered(schedule, "class=a"), (Names{"1", "12"}));
   EXPECT_EQ(filtered(schedule, "class:2"), (Names{"2"}));
-  EXPECT_EQ(error_of(schedule, "class:Q"), "'class:Q': classes are A to K");
-  EXPECT_EQ(error_of(schedule, "class:0"), "'class:0': classes are A to K");
+  EXPECT_EQ(error_of(schedule, "class:Q"), "'class:Q': classes are 1 to 11");
+  EXPECT_EQ(error_of(schedule, "class:0"), "'class:0': classes are 1 to 11");
 }
 
 TEST(ScheduleTest, FindsNeighboursByTheirWholeNameFirst) {
@@ -218,7 +218,7 @@ TEST(ScheduleTest, SaysWhatItDoesNotUnderstandAndLeavesItAside) {
   EXPECT_EQ(error_of(schedule, "distance>2"), "'distance>2': distances are known when a solve has ended");
   EXPECT_EQ(error_of(schedule, "area>2 nothing"), "");
   const Schedule early = make_schedule(rectangles({}, 0.0, false));
-  EXPECT_EQ(error_of(early, "class:A"), "'class:A': classes are known when a solve has ended");
+  EXPECT_EQ(error_of(early, "class:1"), "'class:1': classes are known when a solve has ended");
   EXPECT_EQ(cell_text(early, 0, Column::Class), "–");
 }
 
@@ -234,7 +234,7 @@ TEST(ScheduleTest, SwitchesLeaveWhatTheySay) {
 
 TEST(ScheduleTest, SumsUpWhatIsListed) {
   const Schedule schedule = make_schedule(rectangles({}, 2500.0));
-  const auto list = make_schedule_list(schedule, {.filter = "class:A"}, {});
+  const auto list = make_schedule_list(schedule, {.filter = "class:1"}, {});
   EXPECT_NEAR(list.area, 0.2, 1e-9);
   ASSERT_TRUE(list.weight.has_value());
   EXPECT_NEAR(*list.weight, 5.0, 1e-9);

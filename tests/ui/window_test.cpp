@@ -318,6 +318,9 @@ TEST_F(WindowTest, ColourMapsGhostAndThemes) {
     expect colours == findings
     key C
     wait_frames 3
+    expect colours == tolerances
+    key C
+    wait_frames 3
     expect colours == none
     click "Toolbar/colours Displacement"
     wait_frames 2
