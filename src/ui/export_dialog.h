@@ -20,7 +20,8 @@ struct ExportDialog {
   std::uint64_t design = 0;  // AppState::opened_count() that folder, project and note are of
   std::string folder;
   bool overwrite = false;
-  int sheet = 0;  // that is seen
+  int sheet = 0;                 // that is seen
+  bool scroll_to_sheet = false;  // in the row of all
   SheetPreview preview;
 };
 

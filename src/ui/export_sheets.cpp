@@ -33,6 +33,7 @@ void show_sheet(ExportDialog& dialog, int sheet, int count) {
   sheet = std::clamp(sheet, 0, std::max(count - 1, 0));
   if (sheet == dialog.sheet) return;
   dialog.sheet = sheet;
+  dialog.scroll_to_sheet = true;
   dialog.preview.fit();
 }
 
@@ -60,7 +61,7 @@ void draw_pages(Desk& desk, const PreparedExport* prepared, int count) {
     draw_text_aligned(draw, ui.theme().bold(), at, end, 0.0f, ui.colours().ink, line);
     if (prepared->made.nesting) {
       const std::string all =
-          std::to_string(std::lround(100.0 * prepared->made.nesting->filled)) + " % filled in all";
+          std::to_string(std::lround(100.0 * prepared->made.nesting->filled)) + " % of all sheets filled";
       const float taken =
           ui.theme().bold()->CalcTextSizeA(ui.theme().bold()->FontSize, 1e6f, 0, line.c_str()).x;
       if (at.x + taken + ui.px(140) < right)
@@ -154,7 +155,8 @@ void draw_thumbnails(Desk& desk, const PreparedExport& prepared, float height) {
     ImGui::PopID();
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
     ui.record("thumbnail " + std::to_string(i + 1), min, max);
-    if (i == dialog.sheet && ImGui::IsWindowAppearing()) ImGui::SetScrollHereX();
+    if (i == dialog.sheet && (ImGui::IsWindowAppearing() || std::exchange(dialog.scroll_to_sheet, false)))
+      ImGui::SetScrollHereX();
     if (!ImGui::IsRectVisible(min, max)) continue;
     const bool current = i == dialog.sheet;
     ImDrawList& draw = *ImGui::GetWindowDrawList();

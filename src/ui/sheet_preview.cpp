@@ -12,7 +12,8 @@ namespace {
 constexpr ImU32 kPaper = IM_COL32(0xFF, 0xFF, 0xFF, 0xFF), kCut = IM_COL32(0xC6, 0x28, 0x28, 0xFF),
                 kEngrave = IM_COL32(0x2B, 0x5F, 0xC4, 0xFF), kInk = IM_COL32(0x2C, 0x2A, 0x27, 0xFF),
                 kSheet = IM_COL32(0x9A, 0x95, 0x8C, 0xFF), kFails = IM_COL32(0xF5, 0xC2, 0x6B, 0x5C),
-                kSelected = IM_COL32(0x13, 0x7A, 0x78, 0x4C), kPointed = IM_COL32(0x13, 0x7A, 0x78, 0x20);
+                kSelected = IM_COL32(0x13, 0x7A, 0x78, 0x4C), kPointed = IM_COL32(0x13, 0x7A, 0x78, 0x20),
+                kSmallName = IM_COL32(0x2C, 0x2A, 0x27, 0xA0);
 constexpr double kWheel = 1.2;           // zoom of a notch
 constexpr float kSlop = 4;               // pixels at scale 1 that a click may wander
 constexpr double kSmallestLine = 1.5;    // pixels; what is smaller is not drawn
@@ -80,17 +81,31 @@ bool inside(const Contour& contour, double x, double y) {
 
 }  // namespace
 
+// Whether a part's box has room for its name in a readable size.
+bool SheetPreview::has_room(const Ui& ui, const DrawingText& text) const {
+  const auto found = part_of_panel_.find(text.panel);
+  if (found == part_of_panel_.end()) return false;
+  const Box& box = boxes_[found->second];
+  ImFont* font = ui.theme().small();
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0.0f, text.text.c_str());
+  return (box.x1 - box.x0) * scale_ > 1.6 * static_cast<double>(size.x) &&
+         (box.y1 - box.y0) * scale_ > 1.6 * static_cast<double>(size.y);
+}
+
 void SheetPreview::index(const Drawing& drawing, std::uint64_t number) {
   if (indexed_ && number == number_) return;
   indexed_ = true;
   number_ = number;
   boxes_.clear();
   parts_.clear();
+  part_of_panel_.clear();
   for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
     const DrawingLine& line = drawing.lines[i];
     const Eigen::RowVector2d low = line.points.colwise().minCoeff(), high = line.points.colwise().maxCoeff();
     boxes_.push_back({low(0), low(1), high(0), high(1)});
-    if (line.layer == DrawingLayer::Cut && line.panel >= 0 && line.closed) parts_.push_back({line.panel, i});
+    if (line.layer != DrawingLayer::Cut || line.panel < 0 || !line.closed) continue;
+    parts_.push_back({line.panel, i});
+    part_of_panel_[line.panel] = i;
   }
   if (drawing.width != width_ || drawing.height != height_) fitted_ = true;
   width_ = drawing.width;
@@ -219,18 +234,22 @@ SheetPreview::Pointed SheetPreview::draw(Ui& ui, const Drawing& drawing, std::ui
       list.AddPolyline(buffer_.data(), count, colour_of(layer), line.closed ? ImDrawFlags_Closed : 0, thin);
     }
 
-  // Texts, as high as they are.
+  // Texts, as high as they are; names that would be too small are written readably where their part has room.
   ImFont* font = ui.theme().regular();
   const Capitals capitals = capitals_of(font);
   const float most = 2.0f * (max.y - min.y);  // larger ones fill the whole place
+  const float readable = capitals.height * ui.theme().small()->FontSize;
   for (const DrawingText& text : drawing.texts) {
     const double height = text.height * scale_;
-    if (height < kSmallestText || height > most) continue;
-    const double reach = text.height * static_cast<double>(text.text.size());
+    const bool small = height < kSmallestText;
+    if (height > most || (small && (!text.is_name || !has_room(ui, text)))) continue;
+    const double reach = std::max(text.height, readable / scale_) * static_cast<double>(text.text.size());
     if (!in_sight({text.at.x() - reach, text.at.y() - reach, text.at.x() + reach, text.at.y() + reach}))
       continue;
-    draw_turned(list, font, capitals, text.text, place(text.at.x(), text.at.y()), static_cast<float>(height),
-                static_cast<float>(-text.rotation), colour_of(text.layer));
+    draw_turned(list, font, capitals, text.text, place(text.at.x(), text.at.y()),
+                small ? readable : static_cast<float>(height),
+                small ? 0.0f : static_cast<float>(-text.rotation),
+                small ? kSmallName : colour_of(text.layer));
   }
   list.PopClipRect();
 

@@ -4,8 +4,10 @@
 // Threads: the window's, inside a Dear ImGui frame. Units: pixels, and mm of the drawing (y up).
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "core/pattern/drawing.h"
@@ -40,6 +42,7 @@ class SheetPreview {
   void index(const Drawing& drawing, std::uint64_t number);
   void fit_to(const Drawing& drawing, ImVec2 min, ImVec2 max);
   ImVec2 place(double x, double y) const;
+  bool has_room(const Ui& ui, const DrawingText& text) const;
   std::optional<Part> part_at(const Drawing& drawing, ImVec2 at) const;
 
   std::uint64_t number_ = 0;
@@ -47,11 +50,12 @@ class SheetPreview {
   double width_ = 0, height_ = 0;  // mm, of the drawing
   std::vector<Box> boxes_;         // of each line
   std::vector<Part> parts_;
-  bool fitted_ = true;                  // follows the place until the mouse zooms or moves
-  double scale_ = 1.0;                  // pixels per mm
-  double middle_x_ = 0, middle_y_ = 0;  // mm, what stands in the middle of the place
-  ImVec2 centre_;                       // pixels, the middle of the place
-  bool moved_ = false;                  // the present press has moved the paper
+  std::unordered_map<int, std::size_t> part_of_panel_;  // the line that is cut
+  bool fitted_ = true;                                  // follows the place until the mouse zooms or moves
+  double scale_ = 1.0;                                  // pixels per mm
+  double middle_x_ = 0, middle_y_ = 0;                  // mm, what stands in the middle of the place
+  ImVec2 centre_;                                       // pixels, the middle of the place
+  bool moved_ = false;                                  // the present press has moved the paper
   std::vector<ImVec2> buffer_;
 };
 

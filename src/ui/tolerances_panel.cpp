@@ -97,7 +97,7 @@ void draw_line_head(Desk& desk, const char* label, const char* about, int fail, 
 }
 
 void draw_limit(Desk& desk, const LimitLine& line, std::optional<double> ToleranceSheet::*limit,
-                bool is_least, float width, std::optional<double> now) {
+                bool is_least, float width, double now) {
   ToleranceSheet sheet = desk.state.contract().tolerances;
   const std::optional<double> before = sheet.*limit;
   double value = before.value_or(kNoLimit);
@@ -108,7 +108,7 @@ void draw_limit(Desk& desk, const LimitLine& line, std::optional<double> Toleran
   look.reset_value = (ToleranceSheet().*limit).value_or(kNoLimit);
   look.least = 0.0;
   look.none = kNoLimit;
-  look.from_none = now ? std::round(*now / line.per_pixel) * line.per_pixel : 0.0;
+  look.from_none = std::round(now / line.per_pixel) * line.per_pixel;
   look.width = width;
   look.tooltip = "Drag, turn the wheel, Ctrl click to type; left empty or double clicked: as at first.";
   const std::string name = std::string(line.name) + (is_least ? " min" : " max");
@@ -145,8 +145,7 @@ void draw_limit_line(Desk& desk, const LimitLine& line) {
   draw_line_head(desk, line.label, line.about, fail, now);
   const float space = ui.px(6);
   const float half = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - space));
-  const auto at_least = range ? std::optional(range->first) : std::nullopt;
-  const auto at_most = range ? std::optional(range->second) : std::nullopt;
+  const double at_least = range ? range->first : 0.0, at_most = range ? range->second : 0.0;
   if (line.least != nullptr) {
     draw_limit(desk, line, line.least, true, half, at_least);
     ImGui::SameLine(0, space);
