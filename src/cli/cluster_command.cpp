@@ -11,6 +11,7 @@
 #include "cli/design_files.h"
 #include "cli/layer_jobs.h"
 #include "cli/layer_series.h"
+#include "cli/project_output.h"
 #include "cli/solve_options.h"
 #include "core/base/atomic_file.h"
 #include "core/design/region_file.h"
@@ -81,7 +82,11 @@ Result<ExitStatus> run(const SolveCommandOptions& options, const RegionRequest& 
   note_idle_reference(*plan, options);
   const double seconds_build = std::chrono::duration<double>(Clock::now() - begun).count();
   std::vector<SolvedLayer> solved;
-  return solve_layers(*plan, options, *files, loaded->health, seconds_build, solved);
+  const auto status = solve_layers(*plan, options, *files, loaded->health, seconds_build, solved);
+  if (!status) return status;
+  if (auto saved = save_project_of(options, *mesh, *plan, *files, solved); !saved)
+    return tl::unexpected(saved.error());
+  return status;
 }
 
 }  // namespace
@@ -93,6 +98,7 @@ void add_cluster_command(CLI::App& app, ExitStatus& status) {
   auto* command = app.add_subcommand("cluster", "A few planar panels, each for a region of a fine mesh");
   declare_region_options(*command, request);
   declare_solve_options(*command, options);
+  declare_project_option(*command, options);
   command->callback([options, request, &status] {
     // Positions alone would let corners pull panels out of the planes that fit their regions.
     if (options->preset.empty() && !options->explicit_points) options->preset = kPreset;

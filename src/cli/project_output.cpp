@@ -28,6 +28,7 @@ Result<void> save_project_of(const SolveCommandOptions& options, const PolygonMe
   Project project =
       new_project(std::filesystem::path(options.input).filename().string(), mesh, std::move(design));
   project.contract.unit = *unit;
+  if (plan.clustered) project.clusters = record_of(*plan.clustered);
   for (const SolvedLayer& layer : solved) project.solved.emplace_back(layer.state);
   project.solved.resize(project.design.layers.size());
   return save_project(options.project, project);

@@ -5,6 +5,7 @@
 #include "core/complex/state.h"
 #include "core/design/design.h"
 #include "core/edit/project_file.h"
+#include "core/edit/project_panels.h"
 #include "core/mesh/mesh_io.h"
 
 namespace planewright {
@@ -38,6 +39,20 @@ class ProjectOption : public test::CommandLineTest {
     EXPECT_EQ(panels.polygons, written.mesh.faces());
   }
 };
+
+TEST_F(ProjectOption, KeepsClustersAndTheirPanels) {
+  const Ended ended = solve("cluster", sample("dome", 200), {"--panels", "25", "--unit", "cm"});
+  EXPECT_EQ(ended.status, 0) << ended.err;
+  const Project kept = project();
+  ASSERT_TRUE(kept.clusters);
+  EXPECT_EQ(kept.clusters->options.panels, 25);
+  EXPECT_EQ(kept.contract.unit, LengthUnit::Centimetre);
+  const auto panels = solved_panels(kept, "");
+  ASSERT_TRUE(panels) << panels.error().text();
+  const auto written = load_mesh(path("p.obj")).value();
+  EXPECT_EQ(panels->panels.points, written.mesh.positions());
+  EXPECT_EQ(panels->panels.polygons, written.mesh.faces());
+}
 
 TEST_F(ProjectOption, KeepsMeshSettingsAndPanels) {
   const std::string input = sample("dome", 60);

@@ -91,6 +91,26 @@ TEST(AppStateProject, ALayerWithoutPanelsIsSolved) {
   EXPECT_NE(again.shown(1), nullptr);
 }
 
+TEST(AppStateProject, ClustersComeBackWithTheirPanels) {
+  const TemporaryFolder folder;
+  AppState state;
+  state.open_sample("dome", 300);
+  ASSERT_TRUE(settle(state));
+  LayerSettings settings = state.document().settings();
+  settings.mode = ComplexKind::Cluster;
+  state.change_settings(settings, "Mode cluster");
+  ASSERT_TRUE(settle(state));
+  ASSERT_NE(state.clusters(), nullptr);
+  ASSERT_TRUE(save(state, folder.path() / "c.planewright"));
+  AppState again;
+  ASSERT_TRUE(open(again, folder.path() / "c.planewright"));
+  ASSERT_NE(again.clusters(), nullptr);
+  EXPECT_EQ(again.clusters()->regions.region_of_face, state.clusters()->regions.region_of_face);
+  EXPECT_EQ(again.shown()->fingerprint, state.shown()->fingerprint);
+  EXPECT_EQ(again.ticket(), 0u) << "nothing was solved";
+  EXPECT_NE(again.region_view(), nullptr);
+}
+
 TEST(AppStateProject, WhatCannotBeReadLosesNothing) {
   const TemporaryFolder folder;
   std::ofstream(folder.path() / "bad.planewright")

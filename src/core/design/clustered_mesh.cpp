@@ -101,6 +101,21 @@ void renumber(std::vector<int>& regions, int& count) {
 
 }  // namespace
 
+ClusterRecord record_of(const ClusteredMesh& clusters) {
+  return {clusters.options, clusters.given, clusters.clustering.target_met,
+          clusters.clustering.region_of_face};
+}
+
+Result<SharedClusters> clusters_of(std::shared_ptr<const PolygonMesh> mesh, const ClusterRecord& record) {
+  if (auto checked = check_metric(record.options.metric); !checked) return tl::unexpected(checked.error());
+  auto graph = graph_of(*mesh);
+  if (!graph) return tl::unexpected(graph.error());
+  auto clustering = clustering_of(**graph, record.region_of_face, record.options.metric);
+  if (!clustering) return tl::unexpected(clustering.error());
+  clustering->target_met = record.target_met;
+  return made_ready(std::move(mesh), std::move(*graph), record.options, std::move(*clustering), record.given);
+}
+
 Result<SharedClusters> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh, const ClusterOptions& options,
                                     ClusterObserver* observer, std::stop_token stop) {
   auto graph = graph_of(*mesh);

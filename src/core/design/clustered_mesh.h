@@ -29,6 +29,17 @@ struct ClusteredMesh {
 };
 using SharedClusters = std::shared_ptr<const ClusteredMesh>;
 
+// What a ClusteredMesh of a known mesh is made again from, to the bit: for files.
+struct ClusterRecord {
+  ClusterOptions options;
+  bool given = false;
+  bool target_met = true;           // as Clustering has it
+  std::vector<int> region_of_face;  // #F, before the repairs
+};
+ClusterRecord record_of(const ClusteredMesh& clusters);
+// Fails as FaceGraph::create(), check_metric(), clustering_of() and make_regions() do.
+Result<SharedClusters> clusters_of(std::shared_ptr<const PolygonMesh> mesh, const ClusterRecord& record);
+
 // Clusters the mesh and makes regions of it, also of a clustering that was stopped. Fails as
 // FaceGraph::create(), cluster() and make_regions() do.
 Result<SharedClusters> cluster_mesh(std::shared_ptr<const PolygonMesh> mesh, const ClusterOptions& options,

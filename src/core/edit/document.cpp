@@ -42,6 +42,8 @@ void Document::begin(Project project, HealthReport health) {
   opened.ids = std::make_shared<const ElementIds>(std::move(project.names.ids));
   opened.design = std::move(project.design);
   opened.contract = project.contract;
+  if (project.clusters)
+    if (auto made = clusters_of(opened.mesh, *project.clusters)) opened.clusters = std::move(*made);
   numbering_ = project.names.numbering;
   panel_numbers_ = std::move(project.names.panels);
   given_names_ = std::move(project.given_names);
@@ -61,6 +63,7 @@ Project Document::to_project() const {
   project.contract = contract();
   project.names = {*ids(), numbering_, panel_numbers_};
   project.given_names = given_names_;
+  if (clusters()) project.clusters = record_of(*clusters());
   project.solved.resize(design().layers.size());
   return project;
 }

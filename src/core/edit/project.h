@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/complex/state.h"
+#include "core/design/clustered_mesh.h"
 #include "core/design/layer_settings.h"
 #include "core/edit/element_names.h"
 #include "core/edit/given_names.h"
@@ -24,6 +25,7 @@ struct Project {
   WorkshopContract contract;
   ElementNames names;
   GivenNames given_names;
+  std::optional<ClusterRecord> clusters;  // the regions of panels of clusters; clusters_of() makes them of it
   // Of each layer, or empty: the solved panels, as a state of the complex that build_complex() makes of mesh
   // and settings.
   std::vector<std::optional<State>> solved;

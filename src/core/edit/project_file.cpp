@@ -4,9 +4,11 @@
 #include <array>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "core/base/atomic_file.h"
+#include "core/edit/clusters_json.h"
 #include "core/edit/contract_json.h"
 #include "core/edit/design_json.h"
 #include "core/edit/json_reader.h"
@@ -42,21 +44,36 @@ bool read_heading(JsonReading& reading, JsonObject& file) {
   return !reading.failed();
 }
 
+SharedClusters remade(JsonReading& reading, const Project& project) {
+  auto made = clusters_of(std::make_shared<const PolygonMesh>(project.mesh), *project.clusters);
+  if (made) return *made;
+  const Error& error = made.error();
+  reading.fail("clusters", error.where.empty() ? error.what : error.where + ": " + error.what, error.remedy);
+  return nullptr;
+}
+
 Project read_parts(JsonReading& reading, JsonObject& file) {
   Project project;
   file.read("name", project.name);
   const Json* mesh = file.needed("mesh");
   if (mesh) project.mesh = read_mesh(reading, *mesh, "mesh");
   const Json *design = file.find("design"), *contract = file.find("workshop"), *names = file.find("numbers"),
-             *given = file.find("panel_names"), *solved = file.find("solved");
+             *given = file.find("panel_names"), *clusters = file.find("clusters"),
+             *solved = file.find("solved");
   if (reading.failed()) return project;  // the rest is about the mesh
   project.design = read_design(reading, design, "design", project.mesh);
   project.contract = read_contract(reading, contract, "workshop");
   project.names =
       names ? read_names(reading, *names, "numbers", project.mesh) : names_of_opened(project.mesh);
   if (given) project.given_names = read_given_names(reading, *given, "panel_names");
+  SharedClusters made;
+  if (clusters && !reading.failed()) {
+    project.clusters = read_clusters(reading, *clusters, "clusters", project.mesh.face_count());
+    if (!reading.failed()) made = remade(reading, project);
+  }
   if (!reading.failed())
-    project.solved = read_solved(reading, solved, "solved", project.mesh, project.design);
+    project.solved =
+        read_solved(reading, solved, "solved", project.mesh, made ? &made->regions : nullptr, project.design);
   return project;
 }
 
@@ -77,6 +94,7 @@ Result<std::string> format_project(const Project& project) {
                   {"mesh", mesh_json(project.mesh)}};
   if (project.names != names_of_opened(project.mesh)) json["numbers"] = names_json(project.names);
   if (!project.given_names.empty()) json["panel_names"] = given_names_json(project.given_names);
+  if (project.clusters) json["clusters"] = clusters_json(*project.clusters);
   if (Written solved = solved_json(project.solved); !solved.empty()) json["solved"] = std::move(solved);
   return json_text(json);
 }

@@ -1,5 +1,7 @@
 #include "core/edit/project_panels.h"
 
+#include <memory>
+
 #include "core/design/design.h"
 
 namespace planewright {
@@ -24,7 +26,13 @@ Result<ProjectPanels> solved_panels(const Project& project, const std::string& l
   if (*index >= project.solved.size() || !project.solved[*index])
     return fail(ErrorCode::Refused, "the project holds no solved panels of it", "layer '" + chosen.name + "'",
                 "Solve it and save the project again");
-  const auto complex = build_complex(project.mesh, chosen.settings);
+  SharedClusters clusters;
+  if (project.clusters) {
+    auto made = clusters_of(std::make_shared<const PolygonMesh>(project.mesh), *project.clusters);
+    if (!made) return tl::unexpected(made.error());
+    clusters = std::move(*made);
+  }
+  const auto complex = build_complex(project.mesh, chosen.settings, clusters ? &clusters->regions : nullptr);
   if (!complex) return tl::unexpected(complex.error());
   ProjectPanels result;
   result.layer = static_cast<int>(*index);

@@ -19,7 +19,8 @@ struct ProjectPanels {
 };
 
 // layer: its name; empty: the first one. Fails with ErrorCode::Usage for a name that no layer has (those that
-// there are are listed), ErrorCode::Refused for a layer that is not solved, and as build_complex() does.
+// there are are listed), ErrorCode::Refused for a layer that is not solved, and as clusters_of() and
+// build_complex() do.
 Result<ProjectPanels> solved_panels(const Project& project, const std::string& layer);
 
 }  // namespace planewright

@@ -79,7 +79,8 @@ Written solved_json(const std::vector<std::optional<State>>& solved) {
 }
 
 std::vector<std::optional<State>> read_solved(JsonReading& reading, const Json* json, const std::string& path,
-                                              const PolygonMesh& mesh, const Design& design) {
+                                              const PolygonMesh& mesh, const Regions* regions,
+                                              const Design& design) {
   const std::size_t layers = design.layers.size();
   std::vector<std::optional<State>> solved(layers);
   if (json && !reading.list(*json, path)) return solved;
@@ -96,7 +97,7 @@ std::vector<std::optional<State>> read_solved(JsonReading& reading, const Json* 
   for (std::size_t k = 0; k < layers && !reading.failed(); ++k) {
     const Layer& layer = design.layers[k];
     if (!solved[k] && layer.settings.demands.waived.empty()) continue;
-    const auto complex = build_complex(mesh, layer.settings);
+    const auto complex = build_complex(mesh, layer.settings, regions);
     if (complex) check_waivers(reading, layer, entry_path("design.layers", k), **complex);
     if (!solved[k]) continue;
     const std::string why = complex ? misfit(*solved[k], **complex) : complex.error().text();
