@@ -112,6 +112,8 @@ class PartPen {
       if (!within(at - half - up) || !within(at + half - up) || !within(at - half + up) ||
           !within(at + half + up))
         continue;
+      // Nearer to another side it would be read as that side's.
+      if (depth_in(pattern_.outer, at) < (1.0 - 1e-9) * (kOffSide + 0.5) * height) continue;
       // Readable with the part's up upwards; along an upright side from below.
       const bool turned_over = along.x() < -1e-9 || (along.x() < 1e-9 && along.y() < 0.0);
       const double angle = std::atan2(along.y(), along.x());

@@ -39,7 +39,7 @@ class Contour {
     return false;
   }
 
-  LineContour result(double limit) const {
+  LineContour result(double limit, const std::vector<bool>& meets) const {
     LineContour contour;
     const size_t n = alive_.size();
     std::vector<double> begin(n), end(n), begin_wanted(n), end_wanted(n);
@@ -54,12 +54,19 @@ class Contour {
       if ((previous + 1) % lines_.size() != side) continue;  // sides lost between: no corner of the panel
       const Vector2d& corner = corners_[side];
       const double distance = (points_[i] - corner).norm();
-      if (!(distance > limit)) continue;
+      const bool far = distance > limit, alone = !meets.empty() && !meets[side];
+      if (!far && !alone) continue;
       const double on_previous = lines_[previous].along().dot(corner),
                    on_next = lines_[side].along().dot(corner);
-      cut[i] = cross(lines_[previous].normal, lines_[side].normal) > kParallel && on_previous < end[before] &&
-               on_next > begin[i];
-      contour.far.push_back({static_cast<int>(side), distance, cut[i]});
+      const double turn = cross(lines_[previous].normal, lines_[side].normal);
+      const double slack = kNoLength * around_;
+      const bool sticks_out = turn > kParallel && on_previous < end[before] && on_next > begin[i];
+      // Reflex, and moved along one of its sides: what the other line encloses there is the neighbour's.
+      const bool runs_on =
+          turn < -kParallel && ((on_previous < end[before] - slack && on_next < begin[i] - slack) ||
+                                (on_previous > end[before] + slack && on_next > begin[i] + slack));
+      cut[i] = (far && sticks_out) || runs_on;
+      if (far) contour.far.push_back({static_cast<int>(side), distance, cut[i]});
       if (!cut[i]) continue;
       end_wanted[before] = on_previous;
       begin_wanted[i] = on_next;
@@ -172,10 +179,10 @@ class Contour {
 }  // namespace
 
 LineContour line_contour(const std::vector<SideLine>& lines, const std::vector<Vector2d>& corners,
-                         double limit) {
+                         double limit, const std::vector<bool>& meets) {
   Contour contour(lines, corners);
   if (!contour.drop_sides()) return {};
-  LineContour result = contour.result(limit);
+  LineContour result = contour.result(limit, meets);
   if (!(signed_area(result.points) > 0.0) || crosses_itself(result.points)) return {};
   return result;
 }

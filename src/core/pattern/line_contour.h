@@ -27,8 +27,11 @@ struct LineContour {
   bool empty() const { return points.empty(); }
 };
 
-// corners: of the outline that the lines moved from. limit: mm, from which on corners are far.
+// corners: of the outline that the lines moved from. limit: mm, from which on corners are far. meets: of each
+// corner, whether all panels there have the point in common where its lines meet (empty: they all do). Where
+// they have not, and a reflex corner moves along one of its sides, the other side's line runs on between that
+// side and its neighbour: it is cut however near it is, and named only if it is far.
 LineContour line_contour(const std::vector<SideLine>& lines, const std::vector<Vector2d>& corners,
-                         double limit);
+                         double limit, const std::vector<bool>& meets = {});
 
 }  // namespace planewright

@@ -33,6 +33,21 @@ SolidContour own_corners(const WorkshopModel& model, int panel) {
   return result;
 }
 
+// Whether the corner belongs to three panels all round: their mitre planes have a line in common, and so the
+// three solids have the inner corner.
+bool mitres_meet(const WorkshopModel& model, int panel, int corner) {
+  const int n = model.panels.valence(panel);
+  const int before = model.neighbour(panel, (corner + n - 1) % n), after = model.neighbour(panel, corner);
+  if (before < 0 || after < 0) return false;
+  const int vertex = model.panels[panel][static_cast<size_t>(corner)];
+  for (int side = 0; side < model.panels.valence(before); ++side) {
+    const auto e = static_cast<size_t>(model.edges_of_panel[before][static_cast<size_t>(side)]);
+    const WorkshopEdge& edge = model.edges[e];
+    if (model.neighbour(before, side) == after && (edge.a == vertex || edge.b == vertex)) return true;
+  }
+  return false;
+}
+
 class Thickening {
  public:
   Thickening(const WorkshopModel& model, const ThicknessSettings& settings, int panel,
@@ -68,7 +83,10 @@ class Thickening {
     const auto lines = mitre_lines(model_, panel_, frame, corners, settings_.gap, t);
     if (!lines) return refused(ThicknessTrouble::Collapsed);
     const double limit = t * std::sqrt(kBluntAt * kBluntAt - 1.0);  // within the inner plane
-    const LineContour inner = line_contour(*lines, from, limit);
+    std::vector<bool> meets;
+    for (size_t k = 0; k < corners.size(); ++k)
+      meets.push_back(mitres_meet(model_, panel_, static_cast<int>(k)));
+    const LineContour inner = line_contour(*lines, from, limit, meets);
     if (inner.empty()) return refused(ThicknessTrouble::Collapsed);
 
     lost.insert(lost.end(), inner.lost.begin(), inner.lost.end());

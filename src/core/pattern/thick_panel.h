@@ -12,7 +12,9 @@
 //          triangle goes from the outer corner to the two points where the cut meets the mitre planes (the
 //          feet of the outer corner on both inner sides, which neighbours share). Only what sticks out is
 //          cut: a corner that lies so far *inside* the panel, and a notch, are named and stay, as every
-//          blunting may only take away from what the mitre planes enclose.
+//          blunting may only take away from what the mitre planes enclose. A reflex corner that moves along
+//          one of its sides is cut as well, at the border and where more than three panels meet however near
+//          it lies: else the other side would run on beyond that side's mitre plane.
 //   LostSide: a side has no length left on the inner face (short edge, steep bevel): the sides beside it meet
 //          in one point and the side's face is a triangle. With a gap that can be the outer face's, too.
 // Refused, and named: Collapsed: nothing simple is left of the inner or the outer face, or a neighbour is

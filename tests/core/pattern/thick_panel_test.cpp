@@ -261,6 +261,35 @@ TEST(ThickPanel, AFarCornerInsideThePanelStaysAndIsNamed) {
   EXPECT_TRUE(penetrating_solids(solids).empty());
 }
 
+// A panel with a reflex corner at the border, where its border side goes on nearly straight into the side
+// that it shares with a panel bent down by 15 degrees.
+WorkshopModel reflex_at_the_border(double aside) {
+  const double bent = std::numbers::pi / 12;
+  const Points points = make_points({{0, 0, 0},
+                                     {0, 400, 0},
+                                     {-800, 400, 0},
+                                     {-800, -1000, 0},
+                                     {aside, -1000, 0},
+                                     {186 * std::cos(bent), 400, -186 * std::sin(bent)}});
+  return workshop_model(points, {{0, 1, 2, 3, 4}, {0, 5, 1}});
+}
+
+TEST(ThickPanel, AReflexCornerAtTheBorderStaysBehindItsMitrePlane) {
+  const WorkshopModel far = reflex_at_the_border(18);
+  const ThickPanels solids = thick(far, 20.0);
+  expect_all_closed(far, solids);
+  ASSERT_EQ(count(solids, ThicknessTrouble::Spike), 1);
+  EXPECT_TRUE(solids.findings[0].cut);
+  EXPECT_EQ(solids.findings[0].panel, 0);
+  EXPECT_TRUE(penetrating_solids(solids).empty());
+
+  const WorkshopModel near = reflex_at_the_border(180);
+  const ThickPanels others = thick(near, 20.0);
+  expect_all_closed(near, others);
+  EXPECT_TRUE(others.findings.empty());
+  EXPECT_TRUE(penetrating_solids(others).empty());
+}
+
 TEST(ThickPanel, JustBelowTheLimitNothingIsCut) {
   const WorkshopModel model = workshop_model(valley(0.2), 1.0);
   // tan(0.2) / sin(atan(0.15)) = 1.37 < sqrt(8)
