@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-names=(window-start window-streaming window-dark window-findings window-suggestions window-clusters
+names=(window-start window-streaming window-dark window-findings window-suggestions window-clusters window-workshop window-export
   station-panels twisted-roof-panels torus-panels
   figure-2 figure-5 figure-6 figure-7 figure-8
   preset-close-to-design preset-even-panels preset-smooth-shell preset-faceted-shell preset-close preset-uncrossed
@@ -133,6 +133,62 @@ draw() {
 wait_loaded 20
 wait_solved 120
 wait_frames 8
+screenshot PICTURE
+SCRIPT
+      ;;
+
+    window-workshop)
+      window window-workshop assets/train-station.obj << 'SCRIPT'
+wait_loaded 20
+wait_solved 120
+click Hint/close
+click "Findings/tab Workshop"
+wait_frames 3
+ctrl_click "Findings/edge min"
+wait_frames 2
+type 900
+key Enter
+wait_frames 3
+ctrl_click "Findings/area max"
+wait_frames 2
+type 4
+key Enter
+wait_frames 3
+key M
+key G
+key Y
+key E
+click "Findings/colour by"
+wait_frames 3
+click "Findings/colour by/all limits"
+wait_frames 3
+wait_solved 20
+click "Findings/failure 0"
+wait_frames 60
+screenshot PICTURE
+SCRIPT
+      ;;
+
+    window-export)
+      window window-export assets/train-station.obj << 'SCRIPT'
+wait_loaded 20
+wait_solved 120
+click Hint/close
+click Toolbar/export
+wait_frames 5
+ctrl_click Export/thickness
+wait_frames 2
+type 20
+key Enter
+wait_frames 3
+ctrl_click Export/gap
+wait_frames 2
+type 8
+key Enter
+wait_frames 3
+wait_export 60
+click "Export/next sheet"
+wait_frames 5
 screenshot PICTURE
 SCRIPT
       ;;

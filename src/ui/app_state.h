@@ -245,6 +245,9 @@ class AppState {
   // Names that have gone to the workshop stay with the active layer's panels, or those of another.
   void keep_names(const WorkshopModel& model) { keep_names(model, active_layer()); }
   void keep_names(const WorkshopModel& model, int layer);
+  // How many names the active layer's panels have been given so; and gives them up.
+  int kept_names() const;
+  void forget_names();
   // Selects a panel that is shown, and asks the viewport to go there.
   void show_panel(int panel);
   // What fails the tolerance sheet, of kinds that are not hidden.

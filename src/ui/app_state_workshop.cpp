@@ -102,6 +102,19 @@ void AppState::keep_names(const WorkshopModel& model, int layer) {
   ++names_given_;
 }
 
+int AppState::kept_names() const {
+  if (document_.empty()) return 0;
+  const GivenNames& given = document_.given_names();
+  const auto names = given.find(panel_series(document_.settings()));
+  return names == given.end() ? 0 : static_cast<int>(names->second.size());
+}
+
+void AppState::forget_names() {
+  if (kept_names() == 0) return;
+  document_.forget_names(active_layer());
+  ++names_given_;
+}
+
 const FailureList& AppState::failure_list() const {
   const auto from = workshop();
   if (failure_list_.from != from || failure_list_.hidden != view_options.hidden_failures)

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/format.h"
 #include "ui/panels.h"
 
 namespace planewright::ui {
@@ -15,6 +16,25 @@ void set_unit(Desk& desk, LengthUnit unit) {
   contract.unit = unit;
   desk.state.change_contract(contract, "Unit " + desk.window.settings.unit);
 }
+
+namespace {
+
+// Names that have left on drawings stay, whatever style is chosen; unless they are given up.
+void draw_kept_names(Desk& desk) {
+  Ui& ui = desk.ui;
+  const int kept = desk.state.kept_names();
+  if (kept == 0) return;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::SetCursorScreenPos(ImVec2(at.x + ui.label_width(), at.y));
+  ButtonLook look;
+  look.width = -1;
+  look.tooltip = format_count(kept, "name has", "names have") +
+                 " left with an export and stay with their panels. This gives them up: drawings that are out "
+                 "will no longer agree.";
+  if (ui.button("name anew", "Name anew", look)) desk.state.forget_names();
+}
+
+}  // namespace
 
 void draw_contract(Desk& desk) {
   Ui& ui = desk.ui;
@@ -63,6 +83,7 @@ void draw_contract(Desk& desk) {
     contract.names = static_cast<NameStyle>(style);
     desk.state.change_contract(contract, "Names of panels");
   }
+  draw_kept_names(desk);
 }
 
 }  // namespace planewright::ui

@@ -107,6 +107,11 @@ TEST(AppStateWorkshop, NamesThatWereGivenStayWhenPanelsMove) {
   ASSERT_TRUE(settle(state));
   EXPECT_EQ(state.workshop()->model->names[0], "mine");
   EXPECT_EQ(state.workshop()->model->names, given.names);
+  EXPECT_EQ(state.kept_names(), state.workshop()->model->panel_count());
+  state.forget_names();
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.kept_names(), 0);
+  EXPECT_NE(state.workshop()->model->names[0], "mine");
 }
 
 }  // namespace

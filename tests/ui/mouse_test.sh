@@ -1,5 +1,5 @@
 #!/bin/bash
-# The window under a real mouse: slider drag, click on an edge, orbit, wheel, keys, and regions of clusters, as X events
+# The window under a real mouse: slider drag, click on an edge, orbit, wheel, keys, regions of clusters, and quitting, as X events
 # from xdotool.
 #
 #   mouse_test.sh PLANEWRIGHT [FOLDER]
@@ -170,7 +170,12 @@ esac
 is camera "$camera" || fail "the stroke turned the view"
 echo "clusters: $(value regions) regions, $(value undo)"
 
+# 8. Ctrl Q asks what is to become of the changes, and quits without them.
 xdotool key ctrl+q
+for _ in $(seq 50); do [ -n "$(control 'Leaving/discard')" ] && break; sleep 0.1; done
+read -r x0 y0 x1 y1 _ <<< "$(control 'Leaving/discard')"
+[ -n "${x0:-}" ] || fail "Ctrl Q does not ask about the changes"
+xdotool mousemove $(((x0 + x1) / 2)) $(((y0 + y1) / 2)) sleep 0.3 mousedown 1 sleep 0.2 mouseup 1
 for _ in $(seq 100); do
   kill -0 "$app" 2> /dev/null || break
   sleep 0.1

@@ -78,6 +78,11 @@ int Document::panel_number(int layer, int plane_origin) const {
   return panel_numbers_.number(settings.mode, settings.border, *ids(), plane_origin);
 }
 
+void Document::forget_names(int layer) {
+  if (layer >= 0 && layer < static_cast<int>(design().layers.size()))
+    given_names_.erase(panel_series(design().layers[static_cast<std::size_t>(layer)].settings));
+}
+
 Result<void> Document::keep_names(int layer, const std::map<int, std::string>& names) {
   if (layer < 0 || layer >= static_cast<int>(design().layers.size()))
     return fail(ErrorCode::Refused, "there is no layer " + std::to_string(layer));

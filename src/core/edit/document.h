@@ -72,6 +72,8 @@ class Document {
   // Adds names of a layer's panels, by panel_number(), over earlier ones; no step. Refused, with nothing
   // changed, as add_names() says, or if there is no such layer.
   Result<void> keep_names(int layer, const std::map<int, std::string>& names);
+  // Panels of the layer's kind are named by the rules again; no step.
+  void forget_names(int layer);
 
   // Why an edit of the present mesh is refused, as an error for the designer. Cheap.
   Result<void> may_edit(const MeshEdit& edit) const;

@@ -1,0 +1,90 @@
+// The export of what the window shows, without a window.
+#include <gtest/gtest.h>
+
+#include "support/app_state_runs.h"
+#include "support/temporary_folder.h"
+#include "ui/app_state.h"
+
+namespace planewright::ui {
+namespace {
+
+using namespace test;
+
+bool open_dome(AppState& state) {
+  state.workshop_in_sight = true;
+  state.open_sample("dome", 60);
+  return settle(state);
+}
+bool export_to(AppState& state, const std::filesystem::path& folder) {
+  ExportChoice choice;
+  choice.formats = {ExportFormat::Csv, ExportFormat::Svg};
+  state.wanted_export = choice;
+  if (!run_until(state, [&] { return !state.export_preparing(); })) return false;
+  if (!state.export_panels_to_workshop(choice, folder, false)) return false;
+  return run_until(state, [&] { return !state.exporting_to_workshop(); });
+}
+
+TEST(AppStateExport, SaysWhyThereIsNothingToExport) {
+  AppState state;
+  ASSERT_TRUE(state.why_no_export());
+  EXPECT_FALSE(state.why_no_export()->remedy.empty());
+  ASSERT_TRUE(open_dome(state));
+  EXPECT_FALSE(state.why_no_export());
+}
+
+TEST(AppStateExport, WritesAndKeepsTheNames) {
+  const TemporaryFolder folder;
+  AppState state;
+  ASSERT_TRUE(open_dome(state));
+  EXPECT_TRUE(state.document().given_names().empty());
+  ASSERT_TRUE(export_to(state, folder / "out"));
+  ASSERT_TRUE(state.export_outcome());
+  EXPECT_TRUE(state.export_outcome()->certificate.pass());
+  ASSERT_EQ(state.document().given_names().size(), 1u);
+  EXPECT_EQ(state.document().given_names().begin()->second.size(),
+            static_cast<std::size_t>(state.shown()->complex().plane_count()));
+  EXPECT_TRUE(state.modified()) << "names are part of the project";
+}
+
+TEST(AppStateExport, AnErrorIsToldAndGivesNoNames) {
+  const TemporaryFolder folder;
+  AppState state;
+  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(export_to(state, folder / "no" / "such" / "place"));
+  EXPECT_TRUE(state.export_error());
+  EXPECT_FALSE(state.export_outcome());
+  EXPECT_TRUE(state.document().given_names().empty());
+}
+
+TEST(AppStateExport, AfterTheDialogIsClosedTheResultIsAMessage) {
+  const TemporaryFolder folder;
+  AppState state;
+  ASSERT_TRUE(open_dome(state));
+  ExportChoice choice;
+  choice.formats = {ExportFormat::Csv};
+  state.wanted_export = choice;
+  ASSERT_TRUE(run_until(state, [&] { return !state.export_preparing(); }));
+  ASSERT_TRUE(state.export_panels_to_workshop(choice, folder / "out", false));
+  state.wanted_export.reset();
+  ASSERT_TRUE(run_until(state, [&] { return !state.exporting_to_workshop(); }));
+  ASSERT_FALSE(state.messages().empty());
+  EXPECT_NE(state.messages().back().where.find("out"), std::string::npos);
+}
+
+TEST(AppStateExport, AChangeOfTheContractIsPreparedAnew) {
+  AppState state;
+  ASSERT_TRUE(open_dome(state));
+  state.wanted_export = ExportChoice();
+  ASSERT_TRUE(run_until(state, [&] { return state.export_preparation() != nullptr; }));
+  EXPECT_FALSE(state.export_preparation()->made.solids);
+  WorkshopContract contract = state.contract();
+  contract.thickness = 20.0;
+  state.change_contract(contract, "Thickness");
+  ASSERT_TRUE(run_until(state, [&] {
+    return !state.export_preparing() && state.export_preparation() != nullptr &&
+           state.export_preparation()->made.solids;
+  }));
+}
+
+}  // namespace
+}  // namespace planewright::ui

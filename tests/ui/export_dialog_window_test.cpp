@@ -1,0 +1,173 @@
+// The export dialog in the real window.
+#include "support/window_fixture.h"
+
+namespace planewright {
+namespace {
+
+const std::string kDialogOverTheDome = R"(
+    click Hint/close
+    sample dome 100
+    wait_loaded 20
+    wait_solved 60
+    click Toolbar/export
+    wait_frames 5
+    wait_export 60
+    wait_frames 3
+    expect export_open == 1
+)";
+// Types over what stands in the field of the folder.
+std::string into(const std::string& folder) {
+  return "click Export/folder\nwait_frames 2\nkey Ctrl+A\ntype \"" + folder +
+         "\"\nkey Enter\nwait_frames 3\n";
+}
+
+TEST_F(WindowTest, TheExportDialogWritesCertifiedFiles) {
+  const Playback run = play(kDialogOverTheDome + R"(
+    expect export_sheets > 0
+    expect export_parts_unplaced == 0
+    expect export_formats == "dxf pdf csv"
+    click "Export/format svg"
+    wait_frames 3
+    expect export_formats contains svg
+    ctrl_click "Export/sheet width"
+    wait_frames 2
+    type 2500
+    key Enter
+    wait_frames 3
+    wait_export 60
+    remember export_sheets sheets
+    screenshot PICTURES/export.png
+)" + into("FOLDER/out") + R"(
+    expect export_chosen_folder == "FOLDER/out"
+    click Export/export
+    wait_frames 3
+    wait_export 120
+    wait_frames 3
+    expect export_error == ""
+    expect export_pass == 1
+    expect export_folder == "FOLDER/out"
+    expect export_files > 4
+    screenshot PICTURES/export_done.png
+    click Export/export                # what is there is not replaced unasked
+    wait_frames 3
+    wait_export 120
+    wait_frames 3
+    expect export_error != ""
+    expect export_pass == none
+    click Export/overwrite
+    wait_frames 3
+    click Export/export
+    wait_frames 3
+    wait_export 120
+    wait_frames 3
+    expect export_pass == 1
+    key Escape
+    wait_frames 3
+    expect export_open == 0
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+  for (const char* file : {"certificate.json", "certificate.html", "panels.csv"})
+    EXPECT_TRUE(std::filesystem::exists(folder_ / "out" / file)) << file;
+  int dxf = 0, svg = 0;
+  if (std::filesystem::exists(folder_ / "out"))
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder_ / "out")) {
+      dxf += file.path().extension() == ".dxf" ? 1 : 0;
+      svg += file.path().extension() == ".svg" ? 1 : 0;
+    }
+  EXPECT_GT(dxf, 0);
+  EXPECT_EQ(dxf, svg);
+}
+
+TEST_F(WindowTest, TheExportDialogTurnsItsSheets) {
+  const Playback run = play(kDialogOverTheDome + R"(
+    ctrl_click "Export/sheet height"
+    wait_frames 2
+    type 2500
+    key Enter
+    wait_frames 3
+    wait_export 60
+    expect export_sheets > 2
+    expect export_sheet == 0
+    click "Export/next sheet"
+    wait_frames 3
+    expect export_sheet == 1
+    key PageDown
+    wait_frames 3
+    expect export_sheet == 2
+    click "Export/previous sheet"
+    wait_frames 3
+    expect export_sheet == 1
+    expect export_sheet_line contains "Sheet 2 of"
+    remember export_zoom before
+    wheel Export/preview 4
+    wait_frames 3
+    expect export_zoom > $before
+    double_click Export/preview
+    wait_frames 3
+    expect export_zoom == $before
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+TEST_F(WindowTest, WhatTheExportDialogCannotWriteItSays) {
+  const Playback run = play(kDialogOverTheDome + into("FOLDER/no/such/place") + R"(
+    click Export/export
+    wait_frames 3
+    wait_export 60
+    wait_frames 3
+    expect export_error contains place
+    expect export_pass == none
+    screenshot PICTURES/export_error.png
+    ctrl_click "Export/sheet width"
+    wait_frames 2
+    type 15
+    key Enter
+    wait_frames 3
+    wait_export 60
+    wait_frames 3
+    expect export_refusal != ""
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "no"));
+}
+
+TEST_F(WindowTest, PanelsThatFailCanKeepAnExportBack) {
+  const Playback run = play(kDialogOverTheDome + R"(
+    key Escape
+    wait_frames 3
+    click "Findings/tab Workshop"
+    wait_frames 3
+    ctrl_click "Findings/edge min"
+    wait_frames 2
+    type 1200
+    key Enter
+    wait_frames 3
+    wait_solved 20
+    expect failing > 0
+    key Ctrl+Shift+E
+    wait_frames 5
+    wait_export 60
+    wait_frames 3
+    expect export_failing > 0
+    click "Export/failing Refuse"
+    wait_frames 3
+)" + into("FOLDER/out") + R"(
+    click Export/export
+    wait_frames 3
+    wait_export 60
+    wait_frames 3
+    expect export_error contains "edge length"
+    click "Export/failing Mark them"
+    wait_frames 3
+    click Export/export
+    wait_frames 3
+    wait_export 60
+    wait_frames 3
+    expect export_error == ""
+    expect export_files > 2
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
+}  // namespace
+}  // namespace planewright
