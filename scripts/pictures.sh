@@ -146,7 +146,7 @@ click "Findings/tab Workshop"
 wait_frames 3
 ctrl_click "Findings/edge min"
 wait_frames 2
-type 900
+type 250
 key Enter
 wait_frames 3
 ctrl_click "Findings/area max"
@@ -165,6 +165,8 @@ wait_frames 3
 wait_solved 20
 click "Findings/failure 0"
 wait_frames 60
+hover Menu/View
+wait_frames 3
 screenshot PICTURE
 SCRIPT
       ;;
@@ -188,6 +190,13 @@ key Enter
 wait_frames 3
 wait_export 60
 click "Export/next sheet"
+click Export/folder
+wait_frames 2
+key Ctrl+A
+type "workshop/train-station"
+key Enter
+wait_frames 3
+hover Menu/View
 wait_frames 5
 screenshot PICTURE
 SCRIPT

@@ -18,8 +18,9 @@ const char* widest_text(ScheduleColumn column) {
       return "AA-123";
     case ScheduleColumn::Size:
       return "8,888 × 8,888";
-    case ScheduleColumn::Corners:
     case ScheduleColumn::Area:
+      return "0.888";
+    case ScheduleColumn::Corners:
     case ScheduleColumn::InteriorMin:
     case ScheduleColumn::BevelMax:
       return "88.8";
