@@ -36,21 +36,8 @@ void draw_kept_names(Desk& desk) {
 
 }  // namespace
 
-void draw_contract(Desk& desk) {
+void draw_panel_terms(Desk& desk) {
   Ui& ui = desk.ui;
-  const std::vector<LengthUnit>& units = length_units();
-  std::vector<std::string> symbols;
-  int current = 0;
-  for (const LengthUnit unit : units) {
-    if (unit == desk.state.contract().unit) current = static_cast<int>(symbols.size());
-    symbols.emplace_back(symbol(unit));
-  }
-  if (ui.choice(
-          "unit", "Model unit", symbols, current,
-          "What 1 means in the model's coordinates. It changes no coordinate: only what limits, names of "
-          "lengths and exported files make of them."))
-    set_unit(desk, units[static_cast<std::size_t>(current)]);
-
   WorkshopContract contract = desk.state.contract();
   const auto row = [&](const char* name, const char* label, double& value, const char* unit, double per_pixel,
                        const char* tooltip) {
@@ -68,7 +55,26 @@ void draw_contract(Desk& desk) {
   row("gap", "Joint gap", contract.gap, "mm", 0.1, "Between two neighbours; each gives way by half of it.");
   row("density", "Density", contract.density, "kg/m³", 10,
       "For weights; 0: unknown. Glass 2500, aluminium 2700.");
+}
 
+void draw_contract(Desk& desk) {
+  Ui& ui = desk.ui;
+  const std::vector<LengthUnit>& units = length_units();
+  std::vector<std::string> symbols;
+  int current = 0;
+  for (const LengthUnit unit : units) {
+    if (unit == desk.state.contract().unit) current = static_cast<int>(symbols.size());
+    symbols.emplace_back(symbol(unit));
+  }
+  if (ui.choice(
+          "unit", "Model unit", symbols, current,
+          "What 1 means in the model's coordinates. It changes no coordinate: only what limits, names of "
+          "lengths and exported files make of them."))
+    set_unit(desk, units[static_cast<std::size_t>(current)]);
+
+  draw_panel_terms(desk);
+
+  WorkshopContract contract = desk.state.contract();
   static const std::array<std::string, 2> kStyles = {"C-17", "17"};
   static const std::array<std::string, 2> kAbout = {
       "Rows by height from below get letters, panels a number in their row",

@@ -103,27 +103,6 @@ void draw_formats(Desk& desk, ExportChoice& choice) {
   }
 }
 
-// The document's: each a step of undo.
-void draw_panels(Desk& desk) {
-  WorkshopContract contract = desk.state.contract();
-  const auto row = [&](const char* name, const char* text, double& value, const char* unit, double per_pixel,
-                       const char* tooltip) {
-    QuantityLook look;
-    look.unit = unit;
-    look.per_pixel = per_pixel;
-    look.least = 0.0;
-    look.tooltip = tooltip;
-    const Edit edit = desk.ui.quantity_row(name, text, value, look);
-    if (edit.changed) desk.state.change_contract(contract, text, name);
-    if (edit.finished) desk.state.end_merge();
-  };
-  row("thickness", "Thickness", contract.thickness, "mm", 0.1,
-      "Of the panels, inwards from their outside. 0: sheets without thickness, cut square.");
-  row("gap", "Joint gap", contract.gap, "mm", 0.1, "Between two neighbours; each gives way by half of it.");
-  row("density", "Density", contract.density, "kg/m³", 10,
-      "For weights; 0: unknown. Glass 2500, aluminium 2700.");
-}
-
 void length_row(Ui& ui, const char* name, const char* text, double& value, double per_pixel, double least,
                 double reset, const char* tooltip) {
   QuantityLook look;
@@ -226,7 +205,7 @@ void draw_export_form(Desk& desk) {
   const double thickness = desk.state.contract().thickness;
   if (ui.section("panels", "Panels", true,
                  thickness > 0 ? format_with_unit(thickness, "mm") : "no thickness"))
-    draw_panels(desk);
+    draw_panel_terms(desk);
   if (ui.section("nesting", "Sheets", true, choice.layout.sheets ? size_text(choice.layout.sheet) : "none"))
     draw_sheets(ui, choice.layout);
   if (ui.section("if panels fail", "If panels fail", true,

@@ -176,13 +176,7 @@ void draw_finding_list(Desk& desk) {
     desk.window.listed_finding = current;
     const auto at = std::find_if(lines.begin(), lines.end(),
                                  [&](const Line& line) { return current && line.row == *current; });
-    if (at != lines.end()) {
-      const float top = height * static_cast<float>(at - lines.begin());
-      const float room = ImGui::GetWindowHeight() - 2 * height;
-      if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + room) {
-        ImGui::SetScrollY(top - 0.5f * room);
-      }
-    }
+    if (at != lines.end()) bring_row_into_sight(static_cast<int>(at - lines.begin()), height);
   }
   ImGuiListClipper clipper;
   clipper.Begin(static_cast<int>(lines.size()), height);

@@ -63,6 +63,7 @@ void draw_cluster_report(Desk& desk);
 // The workshop in the right panel, and its terms. A new design begins with the unit that was set last.
 void draw_workshop(Desk& desk);
 void draw_contract(Desk& desk);
+void draw_panel_terms(Desk& desk);  // thickness, gap, density, each a step of undo
 void draw_tolerances(Desk& desk);
 std::string tolerances_summary(const Desk& desk);
 void draw_failures(Desk& desk);

@@ -147,10 +147,7 @@ void draw_rows(Desk& desk, const SuggestionList& list, const std::string& why) {
   // The current one comes into sight when it becomes that.
   if (current != desk.window.listed_suggestion) {
     desk.window.listed_suggestion = current;
-    const float top = height * static_cast<float>(current.value_or(0));
-    const float room = ImGui::GetWindowHeight() - 2 * height;
-    if (current && (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + room))
-      ImGui::SetScrollY(top - 0.5f * room);
+    if (current) bring_row_into_sight(*current, height);
   }
   ImGuiListClipper clipper;
   clipper.Begin(list.size(), height);

@@ -330,4 +330,10 @@ bool Ui::selectable(std::string_view name, std::string_view label, bool selected
   return pressed;
 }
 
+void bring_row_into_sight(int row, float row_height) {
+  const float top = row_height * static_cast<float>(row);
+  const float room = ImGui::GetWindowHeight() - 2 * row_height;
+  if (top < ImGui::GetScrollY() || top > ImGui::GetScrollY() + room) ImGui::SetScrollY(top - 0.5f * room);
+}
+
 }  // namespace planewright::ui

@@ -184,6 +184,10 @@ class Ui {
   double drag_carry_ = 0;
 };
 
+// Scrolls the present window so that a row of a list is in its middle, where it is out of sight. row: its
+// number.
+void bring_row_into_sight(int row, float row_height);
+
 // Text drawn into a rectangle: 0 left, 0.5 centred, 1 right.
 void draw_text_aligned(ImDrawList& draw, ImFont* font, ImVec2 min, ImVec2 max, float align, ImU32 colour,
                        std::string_view text);

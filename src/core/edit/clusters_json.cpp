@@ -31,9 +31,9 @@ ClusterMetric read_metric(JsonReading& reading, const Json* json, const std::str
   return metric;
 }
 
-ClusterOptions read_options(JsonReading& reading, JsonObject& object, int faces) {
+ClusterOptions read_options(JsonReading& reading, JsonObject& object) {
   ClusterOptions options;
-  object.read("panels", options.panels, 1, faces);
+  object.read("panels", options.panels, 1);
   read_target(reading, object, "target_normal", options.target_normal);
   read_target(reading, object, "target_distance", options.target_distance);
   options.metric = read_metric(reading, object.find("metric"), object.path_of("metric"));
@@ -46,8 +46,10 @@ ClusterOptions read_options(JsonReading& reading, JsonObject& object, int faces)
     else
       options.seed_number = static_cast<std::uint32_t>(number);
   }
+  // Of the mesh as it was clustered: edits may have left fewer faces.
   if (const Json* json = object.find("seed_faces"))
-    options.given = reading.integers(*json, object.path_of("seed_faces"), 0, faces - 1);
+    options.given =
+        reading.integers(*json, object.path_of("seed_faces"), 0, std::numeric_limits<int>::max());
   object.read("iterations", options.iterations, 0);
   object.read("teleports", options.teleports, 0);
   return options;
@@ -77,7 +79,7 @@ Written clusters_json(const ClusterRecord& clusters) {
 ClusterRecord read_clusters(JsonReading& reading, const Json& json, const std::string& path, int faces) {
   JsonObject object(reading, &json, path);
   ClusterRecord clusters;
-  clusters.options = read_options(reading, object, faces);
+  clusters.options = read_options(reading, object);
   object.read("target_met", clusters.target_met);
   object.read("given", clusters.given);
   const Json* regions = object.needed("regions");

@@ -108,6 +108,16 @@ TEST(ProjectClusters, ADocumentGoesOnWithThem) {
   EXPECT_EQ(document.to_project().clusters->region_of_face, cluster_project().clusters->region_of_face);
 }
 
+TEST(ProjectClusters, OptionsOfAMeshThatHadMoreFacesStay) {
+  Project project = cluster_project();
+  project.clusters->options.given = {0, 100000};
+  project.clusters->options.panels = 100000;
+  const auto read = read_project(text_of(project), "x");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->project.clusters->options.given, (std::vector<int>{0, 100000}));
+  EXPECT_EQ(read->project.clusters->options.panels, 100000);
+}
+
 TEST(ProjectClusters, FilesThatLieAreRefused) {
   const std::vector<int> regions = cluster_project().clusters->region_of_face;
   std::vector<int> short_by_one = regions;
