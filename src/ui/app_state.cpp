@@ -375,6 +375,7 @@ bool AppState::update(Clock::time_point now) {
       changed = true;
     }
   }
+  changed |= update_sheet();
   changed |= update_workshop();
   changed |= update_export();
   changed |= update_advice();

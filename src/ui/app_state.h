@@ -236,6 +236,9 @@ class AppState {
   LengthUnit default_unit = LengthUnit::Metre;  // of the first design that is opened
   const WorkshopContract& contract() const { return document_.contract(); }
   void change_contract(WorkshopContract changed, std::string what, std::string merge_key = {});
+  // The tolerance sheet as a file of its own; loading is a step of undo.
+  void load_tolerances(const std::filesystem::path& path);
+  void save_tolerances(const std::filesystem::path& path);
   bool workshop_in_sight = false;  // the window says each frame whether it is
   // Of the panels that are shown, perhaps of a state shortly before; null until it is known.
   std::shared_ptr<const PreparedWorkshop> workshop() const;
@@ -537,6 +540,7 @@ class AppState {
   bool workshop_is_of(const WorkshopJob& job) const;  // the present state and contract
   bool workshop_known() const;                        // nothing is to be found out
   bool update_workshop();
+  bool update_sheet();
   void follow_failure();
 
   std::optional<ExportJob> export_job(const ExportChoice& choice) const;  // nothing: there is none now
@@ -633,6 +637,11 @@ class AppState {
   mutable std::pair<std::uint64_t, SharedClusters> selected_regions_of_;
 
   BackgroundTask<Result<PreparedWorkshop>> workshop_task_;
+  struct SheetFile {
+    std::string name;
+    std::optional<ToleranceSheet> loaded;  // none: it was written
+  };
+  BackgroundTask<Result<SheetFile>> sheet_task_;
   std::optional<WorkshopJob> workshop_asked_;  // the newest
   std::shared_ptr<const PreparedWorkshop> workshop_;
   std::optional<Error> workshop_error_;  // of the newest

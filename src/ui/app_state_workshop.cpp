@@ -1,6 +1,7 @@
 // AppState's workshop: what the panels that are shown are to a workshop, and the way through what fails.
 #include <map>
 
+#include "core/base/atomic_file.h"
 #include "core/workshop/length_unit.h"
 #include "ui/app_state.h"
 
@@ -27,6 +28,45 @@ const std::string& AppState::unit() const {
 void AppState::change_contract(WorkshopContract changed, std::string what, std::string merge_key) {
   if (document_.empty()) return;
   document_.change_contract(std::move(changed), std::move(what), std::move(merge_key));
+}
+
+void AppState::load_tolerances(const std::filesystem::path& path) {
+  if (sheet_task_.running()) return;
+  sheet_task_.start(
+      [path]() -> Result<SheetFile> {
+        return read_file(path)
+            .and_then([&](const std::string& text) { return read_tolerance_sheet(text, path.string()); })
+            .map([&](ToleranceSheet&& sheet) {
+              return SheetFile{path.filename().string(), sheet};
+            });
+      },
+      wake_);
+}
+
+void AppState::save_tolerances(const std::filesystem::path& path) {
+  if (sheet_task_.running()) return;
+  sheet_task_.start(
+      [path, text = to_json(contract().tolerances)]() -> Result<SheetFile> {
+        return write_file_atomically(path, text).map([&] {
+          return SheetFile{path.filename().string(), std::nullopt};
+        });
+      },
+      wake_);
+}
+
+bool AppState::update_sheet() {
+  auto file = sheet_task_.take();
+  if (!file) return false;
+  if (!*file) {
+    post(file->error());
+  } else if ((*file)->loaded) {
+    WorkshopContract changed = contract();
+    changed.tolerances = *(*file)->loaded;
+    change_contract(std::move(changed), "Tolerances of " + (*file)->name);
+  } else {
+    post(Message::Kind::Info, "Saved " + (*file)->name);
+  }
+  return true;
 }
 
 WorkshopJob AppState::workshop_job() const {

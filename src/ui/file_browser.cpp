@@ -17,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view kSheetEnding = ".json";
 constexpr std::array<const char*, 4> kEndings = {".obj", ".off", ".ply", ".stl"};
 
 std::string lower(std::string text) {
@@ -25,17 +26,26 @@ std::string lower(std::string text) {
   return text;
 }
 
-bool is_project_name(const fs::path& path) {
-  return lower(path.extension().string()) == kProjectEnding;
+bool has_ending(const fs::path& path, std::string_view ending) {
+  return lower(path.extension().string()) == ending;
+}
+
+// That a new file of a purpose gets where its name has none; empty: that of its format.
+std::string_view ending_of(FileBrowser::Purpose purpose) {
+  if (purpose == FileBrowser::Purpose::SaveProject) return kProjectEnding;
+  return purpose == FileBrowser::Purpose::SaveTolerances ? kSheetEnding : std::string_view();
 }
 
 // What is listed: what can be opened, or what a new file could take the place of.
 bool is_listed(FileBrowser::Purpose purpose, const fs::path& path) {
   switch (purpose) {
     case FileBrowser::Purpose::Open:
-      return is_project_name(path) || format_of(path).has_value();
+      return has_ending(path, kProjectEnding) || format_of(path).has_value();
     case FileBrowser::Purpose::SaveProject:
-      return is_project_name(path);
+      return has_ending(path, kProjectEnding);
+    case FileBrowser::Purpose::OpenTolerances:
+    case FileBrowser::Purpose::SaveTolerances:
+      return has_ending(path, kSheetEnding);
     case FileBrowser::Purpose::ExportPanels:
       return format_of(path).has_value();
     case FileBrowser::Purpose::ChooseFolder:
@@ -59,6 +69,12 @@ Words words_of(FileBrowser::Purpose purpose) {
       return {"Save the project###files", "No folders and no projects here.",
               "The design with its settings, names and solved panels. Undo steps are not kept.",
               "name of the project", "Save"};
+    case FileBrowser::Purpose::OpenTolerances:
+      return {"Load a tolerance sheet###files", "No folders and no sheets (.json) here.",
+              "Its limits take the place of those that are set. One step of undo.", "name or path", "Load"};
+    case FileBrowser::Purpose::SaveTolerances:
+      return {"Save the tolerance sheet###files", "No folders and no sheets (.json) here.",
+              "For other designs, and for --tolerances of the command line.", "name of the sheet", "Save"};
     case FileBrowser::Purpose::ExportPanels:
       return {"Save panels as mesh###files", "No folders and no meshes (.obj .off .ply .stl) here.",
               "The ending picks the format: .obj, .off, .ply or .stl.", "name of the new file", "Save"};
@@ -168,8 +184,8 @@ std::optional<fs::path> FileBrowser::accept() {
     is_open_ = false;
     return path;
   }
-  if (purpose_ == Purpose::SaveProject) {
-    if (!is_project_name(path)) path += kProjectEnding;
+  if (const std::string_view ending = ending_of(purpose_); !ending.empty()) {
+    if (!has_ending(path, ending)) path += ending;
   } else if (!path.has_extension()) {
     path += kEndings[static_cast<std::size_t>(format_)];
   }

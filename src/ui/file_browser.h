@@ -19,7 +19,7 @@ namespace planewright::ui {
 
 class FileBrowser {
  public:
-  enum class Purpose { Open, SaveProject, ExportPanels, ChooseFolder };
+  enum class Purpose { Open, SaveProject, OpenTolerances, SaveTolerances, ExportPanels, ChooseFolder };
 
   // `folder`: where to begin; the working directory if it is empty or gone. `name`: what to call a new file.
   void open(Purpose purpose, const std::filesystem::path& folder, std::string name = {});
@@ -38,7 +38,10 @@ class FileBrowser {
     std::uintmax_t size = 0;
   };
   void enter(const std::filesystem::path& folder);
-  bool saving() const { return purpose_ == Purpose::ExportPanels || purpose_ == Purpose::SaveProject; }
+  bool saving() const {
+    return purpose_ == Purpose::ExportPanels || purpose_ == Purpose::SaveProject ||
+           purpose_ == Purpose::SaveTolerances;
+  }
   bool has_formats() const { return purpose_ == Purpose::ExportPanels; }
   bool choosing_folder() const { return purpose_ == Purpose::ChooseFolder; }
   std::optional<std::filesystem::path> accept();

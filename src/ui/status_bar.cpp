@@ -12,6 +12,8 @@ std::string sentence(const Desk& desk) {
   const std::string unit = desk.state.unit();
   if (state.loading()) return "Opening " + state.loading_name() + " …";
   if (state.exporting()) return "Writing the panels …";
+  if (state.saving()) return "Saving the project …";
+  if (state.exporting_to_workshop()) return "Exporting for the workshop: " + state.export_stage().name + " …";
   if (state.document().empty()) return "Drop a mesh on the window, or press Ctrl O.";
   if (state.clustering() && !state.solving()) return "Clustering …";
   const auto& shown = state.shown();
@@ -53,7 +55,8 @@ void draw_status_bar(Desk& desk, const Rect& place) {
   const float room = place.width() - right_width - ui.px(56);
 
   float left = place.min.x + ui.px(14);
-  if (desk.state.busy() || desk.state.loading() || desk.state.exporting()) {
+  if (desk.state.busy() || desk.state.loading() || desk.state.exporting() || desk.state.saving() ||
+      desk.state.exporting_to_workshop()) {
     // Something turns while something runs.
     const ImVec2 centre(left + ui.px(6), 0.5f * (place.min.y + place.max.y));
     const auto angle = static_cast<float>(std::fmod(ImGui::GetTime() * 4.0, 6.283185307179586));

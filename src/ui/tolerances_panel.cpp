@@ -204,6 +204,22 @@ void draw_stock(Desk& desk) {
   if (finished) desk.state.end_merge();
 }
 
+// A sheet is mostly the office's, for all its designs.
+void draw_sheet_files(Desk& desk) {
+  Ui& ui = desk.ui;
+  const std::filesystem::path folder = desk.window.settings.last_folder;
+  const float space = ui.px(6);
+  ButtonLook look;
+  look.width = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - space));
+  look.tooltip = "Limits from a file take the place of these";
+  if (ui.button("load sheet", "Load…", look))
+    desk.window.browser.open(FileBrowser::Purpose::OpenTolerances, folder);
+  ImGui::SameLine(0, space);
+  look.tooltip = "These limits to a file, for other designs and the command line";
+  if (ui.button("save sheet", "Save…", look))
+    desk.window.browser.open(FileBrowser::Purpose::SaveTolerances, folder, "tolerances.json");
+}
+
 }  // namespace
 
 std::string tolerances_summary(const Desk& desk) {
@@ -214,6 +230,8 @@ std::string tolerances_summary(const Desk& desk) {
 void draw_tolerances(Desk& desk) {
   for (const LimitLine& line : kLines) draw_limit_line(desk, line);
   draw_stock(desk);
+  desk.ui.gap(4);
+  draw_sheet_files(desk);
 }
 
 }  // namespace planewright::ui

@@ -339,6 +339,10 @@ void Window::take_browser_result() {
     leave(shown_, state_, {Leaving::What::Open, *path});
   } else if (shown_.browser.purpose() == FileBrowser::Purpose::SaveProject) {
     state_.save_project(*path);
+  } else if (shown_.browser.purpose() == FileBrowser::Purpose::OpenTolerances) {
+    state_.load_tolerances(*path);
+  } else if (shown_.browser.purpose() == FileBrowser::Purpose::SaveTolerances) {
+    state_.save_tolerances(*path);
   } else if (shown_.browser.purpose() == FileBrowser::Purpose::ChooseFolder) {
     shown_.export_dialog.folder = path->string();
     state_.forget_export_outcome();

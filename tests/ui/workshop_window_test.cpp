@@ -123,6 +123,45 @@ TEST_F(WindowTest, TheUnitIsTheDocumentsAndIsRemembered) {
   EXPECT_EQ(next.status, 0) << next.output;
 }
 
+TEST_F(WindowTest, AToleranceSheetIsSavedAndLoaded) {
+  const Playback run = play(kDomeAtTheWorkshop + R"(
+    ctrl_click "Findings/edge min"
+    wait_frames 2
+    type 440
+    key Enter
+    wait_frames 3
+    click "Findings/save sheet"
+    wait_frames 4
+    click Files/name
+    key Ctrl+A
+    type "FOLDER/office"
+    key Enter
+    wait_frames 20
+    expect last_message contains "Saved office.json"
+    double_click "Findings/edge min"
+    wait_frames 3
+    expect limit_edge_min == none
+    click "Findings/load sheet"
+    wait_frames 4
+    click Files/name
+    key Ctrl+A
+    type "FOLDER/office.json"
+    key Enter
+    wait_frames 20
+    wait_solved 20
+    expect limit_edge_min == 440
+    expect undo == "Tolerances of office.json"
+    expect failing > 0
+    drop "FOLDER/office.json"          # no mesh: told, and nothing is lost
+    wait_frames 3
+    click Leaving/discard
+    wait_frames 20
+    expect limit_edge_min == 440
+    expect messages > 0
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
 TEST_F(WindowTest, AProjectIsSavedAndOpenedWithItsPanels) {
   const Playback run = play(kDomeAtTheWorkshop + R"(
     ctrl_click "Findings/thickness"
