@@ -248,7 +248,9 @@ void draw_toolbar(Desk& desk, const Rect& place) {
   static const std::array<std::string, 5> kMaps = {"Card", "Planarity", "Displacement", "Findings",
                                                    "Tolerances"};
   int current = static_cast<int>(desk.state.view_options.colours);
-  const float width = std::clamp(place.max.x - ImGui::GetCursorScreenPos().x - ui.px(12), 1.0f, ui.px(510));
+  const float export_width = ui.px(128);
+  const float room = place.max.x - ImGui::GetCursorScreenPos().x - export_width - ui.px(24);
+  const float width = std::clamp(room, 1.0f, ui.px(510));
   ImGui::BeginChild("maps", ImVec2(width, frame), false,
                     ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (ui.segmented("colours", kMaps, current))
@@ -259,7 +261,7 @@ void draw_toolbar(Desk& desk, const Rect& place) {
   look.has_icon = true;
   look.icon = Icon::Export;
   look.enabled = desk.actions.enabled(Action::ExportWorkshop);
-  look.width = ui.px(128);
+  look.width = export_width;
   look.tooltip = "Certified files for the workshop: sheets, schedules, solids  (Ctrl Shift E)";
   ImGui::SameLine(place.width() - look.width - ui.px(12));
   if (ui.button("export", "Export…", look)) desk.actions.request(Action::ExportWorkshop);

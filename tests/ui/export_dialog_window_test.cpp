@@ -78,6 +78,16 @@ TEST_F(WindowTest, TheExportDialogWritesCertifiedFiles) {
   EXPECT_EQ(dxf, svg);
 }
 
+TEST_F(WindowTest, TheExportDialogOpensInASmallWindow) {
+  const Playback run = play(kDialogOverTheDome + R"(
+    expect colours == none             # the button is beside the maps, not beneath them
+    expect ui:Export/export == enabled
+    screenshot PICTURES/export_small.png
+  )",
+                            "", 240, "1024x700");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
 TEST_F(WindowTest, TheExportDialogTurnsItsSheets) {
   const Playback run = play(kDialogOverTheDome + R"(
     ctrl_click "Export/sheet height"
