@@ -45,9 +45,11 @@ ExportSettings all_formats() {
   return settings;
 }
 
+// No panel may cross itself: such a one has no pattern, and no certificate says yes to it.
 Panels solved_dual(const PolygonMesh& mesh) {
   LayerSettings layer;
   layer.mode = ComplexKind::Dual;
+  layer.demands.list.push_back({"uncrossed", true, {}, {}});
   const auto complex = value_of(build_complex(mesh, layer));
   const auto solver = make_solver(SolverKind::Tangent);
   const State state = value_of(solve_layer(*solver, {complex, layer, {}, {}, {}},
@@ -87,7 +89,8 @@ void measure(const std::string& name, const PolygonMesh& mesh, int repeat) {
   }
   std::filesystem::remove_all(folder);
   const int count = panels.polygons.size();
-  const char* verdict = count < kGoalPanels ? "" : best.total() <= kGoalSeconds ? "met" : "MISSED";
+  const bool met = best.total() <= kGoalSeconds && outcome.certificate.pass();
+  const char* verdict = count < kGoalPanels ? "" : met ? "met" : "MISSED";
   std::printf("%-26s %7d %8.2f %8.2f %8.2f %8.2f %6s %7zu %7.1f %6zu  %s\n", name.c_str(), count, best.naming,
               best.preparing, best.writing, best.total(), verdict, prepared.nesting->sheets.size(),
               100.0 * prepared.nesting->filled, outcome.files.size(),
@@ -99,7 +102,9 @@ void measure_workshop(const MeshRunOptions& options) {
   std::printf(
       "Duals with a mean edge of %g mm, %g mm thick, gap %g mm, sheets of 3210 x 6000 mm, all formats, read "
       "back and\n"
-      "certified. CPU seconds, best of %d. Goal: all within %g s for %d panels and more.\n\n"
+      "certified; demanded: uncrossed. CPU seconds, best of %d. Goal: all within %g s, certified, for %d "
+      "panels and "
+      "more.\n\n"
       "%-26s %7s %8s %8s %8s %8s %6s %7s %7s %6s\n",
       kPanelSize, kThickness, kGap, options.repeat, kGoalSeconds, kGoalPanels, "", "panels", "names",
       "prepare", "write", "total", "goal", "sheets", "filled", "files");
