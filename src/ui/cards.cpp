@@ -59,60 +59,86 @@ void key_row(Ui& ui, const char* keys, const char* what) {
   ImGui::Dummy(ImVec2(ui.px(340), row - ImGui::GetStyle().ItemSpacing.y));
 }
 
+struct KeyRow {
+  std::string keys, what;
+};
+struct KeySection {
+  const char* title;
+  std::vector<KeyRow> rows;
+};
+
+// Keys of actions by where they belong, and what the mouse does.
+std::vector<KeySection> key_sections() {
+  KeySection design{"Design", {}}, view{"View", {}}, ways{"From place to place", {}},
+      selection{"Selection and layers", {}}, clusters{"Clusters", {}};
+  for (const ActionInfo& action : action_list()) {
+    if (action.shortcut.empty()) continue;
+    const Action a = action.action;
+    KeySection& of = a >= Action::SplitRegion && a <= Action::NextSight             ? clusters
+                     : a >= Action::SelectBox && a <= Action::HideLayer             ? selection
+                     : a >= Action::NextFinding && a <= Action::ApplyAllSuggestions ? ways
+                     : a >= Action::Fit                                             ? view
+                                                                                    : design;
+    of.rows.push_back(
+        {action.shortcut, a == Action::SolveOrStop ? "Solve, or stop and keep the best" : action.label});
+  }
+  const KeySection mouse{"Mouse",
+                         {{"drag", "orbit round what is there"},
+                          {"shift drag", "pan (also middle or right button)"},
+                          {"wheel", "zoom to the mouse"},
+                          {"double click", "centre on the point"},
+                          {"click an edge", "flip it and solve again"},
+                          {"right click", "all edits of what is there"},
+                          {"click", "select a panel or corner"},
+                          {"shift, ctrl click", "select more, or less"},
+                          {"alt click", "select the loop through an edge"},
+                          {"drag a pin", "move it in the view's plane"}}};
+  const KeySection sliders{
+      "Sliders", {{"drag, wheel", "change"}, {"double click", "reset"}, {"ctrl click", "type the number"}}};
+  return {design, view, ways, mouse, selection, clusters, sliders};
+}
+
+// As many columns as the window is wide for; what is too high for it can be scrolled.
 void draw_keys_card(Desk& desk) {
   Ui& ui = desk.ui;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  if (begin_card(ui, "##keys", ImVec2(0.5f * screen.x, 0.5f * screen.y), ImVec2(0.5f, 0.5f), ui.px(736),
-                 true)) {
+  const std::vector<KeySection> sections = key_sections();
+  const float column = ui.px(352), row = ImGui::GetTextLineHeight() + ui.px(5), head = row + ui.px(20);
+  const int columns = std::clamp(static_cast<int>((screen.x - ui.px(60)) / column), 1, 3);
+  float all = 0;
+  for (const KeySection& section : sections) all += head + row * static_cast<float>(section.rows.size());
+  // A section goes on in the next column where this one has had its share.
+  std::vector<std::vector<const KeySection*>> laid(1);
+  float used = 0, highest = 0;
+  for (const KeySection& section : sections) {
+    const float height = head + row * static_cast<float>(section.rows.size());
+    if (used > 0 && used + 0.5f * height > all / static_cast<float>(columns) &&
+        static_cast<int>(laid.size()) < columns) {
+      laid.emplace_back();
+      used = 0;
+    }
+    laid.back().push_back(&section);
+    used += height;
+    highest = std::max(highest, used);
+  }
+  if (begin_card(ui, "##keys", ImVec2(0.5f * screen.x, 0.5f * screen.y), ImVec2(0.5f, 0.5f),
+                 column * static_cast<float>(columns) + ui.px(28), true)) {
     const Ui::Scope scope(ui, "Keys");
     ui.heading("Keys and mouse");
     if (close_cross(ui, "close")) desk.window.show_keys = false;
     ui.separator();
-    ImGui::BeginGroup();
-    const auto selects = [](Action action) {
-      return action >= Action::SelectBox && action <= Action::HideLayer;
-    };
-    const auto clusters = [](Action action) {
-      return action >= Action::SplitRegion && action <= Action::NextSight;
-    };
-    for (const ActionInfo& action : action_list()) {
-      if (action.shortcut.empty() || selects(action.action) || clusters(action.action)) continue;
-      const std::string label =
-          action.action == Action::SolveOrStop ? "Solve, or stop and keep the best" : action.label;
-      key_row(ui, action.shortcut.c_str(), label.c_str());
+    ImGui::BeginChild("rows", ImVec2(0, std::min(highest + ui.px(10), screen.y - ui.px(110))));
+    for (std::size_t c = 0; c < laid.size(); ++c) {
+      if (c > 0) ImGui::SameLine(static_cast<float>(c) * column);
+      ImGui::BeginGroup();
+      for (const KeySection* section : laid[c]) {
+        ui.heading(section->title);
+        for (const KeyRow& each : section->rows) key_row(ui, each.keys.c_str(), each.what.c_str());
+        ui.gap(14);
+      }
+      ImGui::EndGroup();
     }
-    ui.gap(14);
-    ui.heading("Clusters");
-    for (const ActionInfo& action : action_list()) {
-      if (!action.shortcut.empty() && clusters(action.action))
-        key_row(ui, action.shortcut.c_str(), action.label.c_str());
-    }
-    ImGui::EndGroup();
-    ImGui::SameLine(0, ui.px(24));
-    ImGui::BeginGroup();
-    key_row(ui, "drag", "orbit round what is there");
-    key_row(ui, "shift drag", "pan (also middle or right button)");
-    key_row(ui, "wheel", "zoom to the mouse");
-    key_row(ui, "double click", "centre on the point");
-    key_row(ui, "click an edge", "flip it and solve again");
-    key_row(ui, "right click", "all edits of what is there");
-    key_row(ui, "click", "select a panel or corner");
-    key_row(ui, "shift, ctrl click", "select more, or less");
-    key_row(ui, "alt click", "select the loop through an edge");
-    key_row(ui, "drag a pin", "move it in the view's plane");
-    ui.gap(14);
-    ui.heading("Selection and layers");
-    for (const ActionInfo& action : action_list()) {
-      if (!action.shortcut.empty() && selects(action.action))
-        key_row(ui, action.shortcut.c_str(), action.label.c_str());
-    }
-    ui.gap(14);
-    ui.heading("Sliders");
-    key_row(ui, "drag, wheel", "change");
-    key_row(ui, "double click", "reset");
-    key_row(ui, "ctrl click", "type the number");
-    ImGui::EndGroup();
-    ui.gap(14);
+    ImGui::EndChild();
   }
   end_card();
 }
