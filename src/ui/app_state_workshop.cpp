@@ -8,10 +8,11 @@
 namespace planewright::ui {
 namespace {
 
-// Whether what is known of one state's panels can be told of another's: they are the same panels, a step
-// earlier or later.
+// Whether what is known of one state's panels can be told of another's: they are the same panels with the
+// same corners, a step earlier or later. After a flip panels have the same vertices of the mesh and other
+// corners.
 bool same_panels(const TangentComplex& a, const TangentComplex& b) {
-  return &a == &b || (a.kind == b.kind && a.plane_origin == b.plane_origin);
+  return &a == &b || (a.kind == b.kind && a.plane_origin == b.plane_origin && a.panels == b.panels);
 }
 
 }  // namespace

@@ -93,6 +93,27 @@ TEST(AppStateWorkshop, GoingToAFailureSelectsItsPanelAndLooksThere) {
   EXPECT_EQ(state.current_failure(), std::nullopt);
 }
 
+TEST(AppStateWorkshop, OfPanelsBeforeAFlipNothingIsToldOfThoseAfterIt) {
+  AppState state;
+  ASSERT_TRUE(open_dome(state));
+  limit_edges(state, 1e5);
+  ASSERT_TRUE(settle(state));
+  int edge = 0;
+  while (!state.document().may_edit(MeshEdit::flip(edge))) ++edge;
+  ASSERT_TRUE(state.edit_mesh(MeshEdit::flip(edge)));
+  const auto before = state.shown();
+  bool any = false;
+  ASSERT_TRUE(run_until(state, [&] {
+    if (const auto workshop = state.workshop()) {
+      for (int p = 0; p < workshop->model->panel_count(); ++p)
+        any |= workshop->passports[static_cast<std::size_t>(p)].sides.size() !=
+               state.shown()->complex().panels[p].size();
+    }
+    return state.settled() && state.shown() != before;
+  }));
+  EXPECT_FALSE(any);
+}
+
 TEST(AppStateWorkshop, NamesThatWereGivenStayWhenPanelsMove) {
   AppState state;
   ASSERT_TRUE(open_dome(state));

@@ -22,10 +22,10 @@ ExportJob squares(int count = 20) {
   return job;
 }
 
-// Frames until `done`; false after half a minute.
+// Frames until `done`; false after two minutes.
 template <class Done>
 bool run_until(ExportWork& work, Done done) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(120);
   while (!done()) {
     if (std::chrono::steady_clock::now() > limit) return false;
     work.update();
@@ -138,7 +138,7 @@ TEST(ExportWork, WhatIsThereIsNotReplacedUnasked) {
 TEST(ExportWork, StoppedItLeavesNoTrace) {
   const TemporaryFolder folder;
   ExportWork work;
-  const ExportJob job = squares(40);
+  const ExportJob job = squares(12);
   ASSERT_TRUE(prepare(work, job));
   work.write(settings_for(job), folder / "out");
   ASSERT_TRUE(work.writing());
@@ -155,7 +155,7 @@ TEST(ExportWork, EndsWithItsOwner) {
   const TemporaryFolder folder;
   {
     ExportWork work;
-    const ExportJob job = squares(40);
+    const ExportJob job = squares(12);
     ASSERT_TRUE(prepare(work, job));
     work.write(settings_for(job), folder / "out");
   }
