@@ -102,10 +102,17 @@ void AppState::begin_load(std::string name, std::function<Result<Loaded>()> load
     return;
   }
   loading_name_ = std::move(name);
+  loading_state_ = document_state();
   loader_.start(std::move(load), wake_);
 }
 
 void AppState::adopt(Loaded loaded) {
+  // Whoever asked for it may have gone on working meanwhile, and nobody has asked about that.
+  if (modified() && loading_state_ != document_state()) {
+    post(Message::Kind::Warning, loaded.name + " was not opened, because the design was changed meanwhile",
+         {}, "Open it again.");
+    return;
+  }
   if (loaded.project) {
     adopt_project(std::move(loaded));
   } else {
@@ -157,6 +164,9 @@ void AppState::begin_design() {
   next_failure_ = 0;
   if (changes_regions(tool)) tool = Tool::Look;
   ghost_.reset();
+  reference_.reset();
+  reference_path_.clear();
+  reference_error_.reset();
   clear_selection();
   walked_.reset();
   next_row_ = 0;

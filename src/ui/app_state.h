@@ -496,7 +496,8 @@ class AppState {
   void tell_of_dropped(const std::vector<std::string>& dropped);
   bool mesh_edited(const Result<std::vector<std::string>>& edited, std::uint64_t revision, bool drags);
   void follow_pointed_at(const PreparedView& before, const PreparedView& next);
-  void follow_elements();   // what is selected names the present mesh's elements
+  void follow_elements();  // what is selected names the present mesh's elements
+  std::shared_ptr<const ShownResults> results_now() const;
   void remember_results();  // as what is shown of the present moment
   void restore_results();
   // From the mesh of the shown panels to the present one; nothing if the elements are the same.
@@ -564,6 +565,8 @@ class AppState {
   BackgroundTask<Result<std::string>> exporter_;
   BackgroundTask<Result<std::filesystem::path>> saver_;
   std::filesystem::path project_path_;
+  std::uint64_t saving_design_ = 0;           // opened_count_ of what is being saved
+  DocumentState loading_state_;               // as it was when the newest load began
   DocumentState saved_state_, saving_state_;  // as it was last saved or opened; as it is being saved
   std::string loading_name_;
   std::function<void()> load_next_;  // asked for while another was loading
@@ -642,6 +645,7 @@ class AppState {
     std::optional<ToleranceSheet> loaded;  // none: it was written
   };
   BackgroundTask<Result<SheetFile>> sheet_task_;
+  std::uint64_t sheet_design_ = 0;             // opened_count_ of the design whose sheet it is
   std::optional<WorkshopJob> workshop_asked_;  // the newest
   std::shared_ptr<const PreparedWorkshop> workshop_;
   std::optional<Error> workshop_error_;  // of the newest

@@ -15,6 +15,8 @@ std::optional<Error> AppState::why_no_export() const {
   if (workshop_error_) return workshop_error_;
   if (solving_layer() == active_layer() && !polishing())
     return no("The panels are being solved", "They can be exported as soon as that comes to a result.");
+  if (!up_to_date() || run(active_layer()).failed)
+    return no("The panels are older than the design", "Solve first (Space).");
   if (!shown()->final) return no("The newest solve came to no result", "Solve again (Space).");
   return std::nullopt;
 }

@@ -51,8 +51,22 @@ void AppState::go_to(int steps) {
   const auto revision = document_.revision();
   drop_cluster_wishes();
   end_merge();
+  const int done = document_.steps_done();
+  const auto mesh = document_.mesh();
+  const auto clusters = document_.clusters();
+  const Design design = document_.design();
+  const WorkshopContract contract = document_.contract();
   document_.go_to(steps);
   if (document_.revision() == revision) return;
+  // A step that changed what the workshop asks for and nothing else has nothing to do with the panels: those
+  // that are there stay, and so does the solve that is under way.
+  const bool of_the_workshop = std::abs(document_.steps_done() - done) == 1 &&
+                               contract != document_.contract() && mesh == document_.mesh() &&
+                               clusters == document_.clusters() && design == document_.design();
+  if (of_the_workshop) {
+    if (active_run().newest_final && !outcome_due_) document_.set_results(results_now());
+    return;
+  }
   restore_results();
   document_changed();
 }
@@ -86,7 +100,7 @@ Selection AppState::of_shown(Selection names) const {
 
 // A solve that the designer asked for is a step; one that followed by itself is part of the step it followed,
 // and a polish of what it polished.
-void AppState::remember_results() {
+std::shared_ptr<const ShownResults> AppState::results_now() const {
   auto shown = std::make_shared<ShownLayers>();
   shown->runs = runs_;
   for (LayerRun& of : shown->runs) {
@@ -96,6 +110,11 @@ void AppState::remember_results() {
     of.complaint = 0;
     of.polish_wanted = false;
   }
+  return shown;
+}
+
+void AppState::remember_results() {
+  auto shown = results_now();
   const bool is_step = solve_is_step_ && run(active_layer()).ticket == session_.current_ticket() &&
                        active_run().asked != SolverKind::Auto;
   if (is_step) {

@@ -175,8 +175,9 @@ void AppState::set_reference(std::string path, Result<std::shared_ptr<const Refe
 bool AppState::take_reference() {
   bool changed = false;
   if (auto loaded = reference_loader_.take()) {
-    set_reference(std::move(loaded->first), std::move(loaded->second));
-    changed = true;
+    // What was asked for before another design was opened is nothing to this one.
+    changed = loaded->first == document_.design().reference;
+    if (changed) set_reference(std::move(loaded->first), std::move(loaded->second));
   }
   const std::string& wanted = document_.design().reference;
   if (wanted != reference_path_ && !reference_loader_.running()) {

@@ -90,9 +90,12 @@ void AppState::save_project(const std::filesystem::path& path) {
   std::vector<std::shared_ptr<const Iterate>> shown;
   for (int i = 0; i < layer_count(); ++i) {
     const LayerRun& of = run(i);
-    shown.push_back(of.failed ? nullptr : finished(i, document_.ids()));
+    // What is being solved, or has to be, is solved when it is opened again; a polish only confirms.
+    const bool due = outcome_due_ && solving_run_ == of.id && of.asked != SolverKind::Auto;
+    shown.push_back(of.failed || of.stale || due ? nullptr : finished(i, document_.ids()));
   }
   saving_state_ = document_state();
+  saving_design_ = opened_count_;
   saver_.start(
       [path, project = std::move(project), shown = std::move(shown),
        clusters = document_.clusters()]() mutable -> Result<std::filesystem::path> {
@@ -111,9 +114,10 @@ bool AppState::update_saving() {
   auto saved = saver_.take();
   if (!saved) return false;
   if (*saved) {
+    post(Message::Kind::Info, "Saved " + (*saved)->filename().string());
+    if (saving_design_ != opened_count_) return true;  // another design has been opened meanwhile
     project_path_ = **saved;
     saved_state_ = saving_state_;
-    post(Message::Kind::Info, "Saved " + project_path_.filename().string());
   } else {
     post(saved->error());
   }

@@ -33,6 +33,7 @@ void AppState::change_contract(WorkshopContract changed, std::string what, std::
 
 void AppState::load_tolerances(const std::filesystem::path& path) {
   if (sheet_task_.running()) return;
+  sheet_design_ = opened_count_;
   sheet_task_.start(
       [path]() -> Result<SheetFile> {
         return read_file(path)
@@ -61,6 +62,7 @@ bool AppState::update_sheet() {
   if (!*file) {
     post(file->error());
   } else if ((*file)->loaded) {
+    if (sheet_design_ != opened_count_) return true;  // it was meant for the design before
     WorkshopContract changed = contract();
     changed.tolerances = *(*file)->loaded;
     change_contract(std::move(changed), "Tolerances of " + (*file)->name);

@@ -226,6 +226,7 @@ void follow_design(Desk& desk) {
   dialog.overwrite = false;
   dialog.sheet = 0;
   dialog.preview.fit();
+  if (!desk.state.exporting_to_workshop()) desk.state.forget_export_outcome();
   ExportChoice& choice = desk.window.settings.workshop_export;
   choice.project.clear();
   choice.note.clear();

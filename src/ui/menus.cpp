@@ -138,8 +138,7 @@ float draw_menu_bar(Desk& desk) {
         const Ui::Scope units_scope(ui, "Menu/View/Unit");
         for (const LengthUnit unit : length_units()) {
           const std::string text(symbol(unit));
-          if (ImGui::MenuItem(text.c_str(), nullptr, desk.state.contract().unit == unit))
-            set_unit(desk, unit);
+          if (ImGui::MenuItem(text.c_str(), nullptr, desk.state.unit() == text)) set_unit(desk, unit);
           ui.record_item(text);
         }
         ImGui::EndMenu();

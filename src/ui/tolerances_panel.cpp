@@ -110,7 +110,8 @@ void draw_limit(Desk& desk, const LimitLine& line, std::optional<double> Toleran
   look.none = kNoLimit;
   look.from_none = std::round(now / line.per_pixel) * line.per_pixel;
   look.width = width;
-  look.tooltip = "Drag, turn the wheel, Ctrl click to type; left empty or double clicked: as at first.";
+  look.tooltip =
+      "Drag, turn the wheel, Ctrl click to type; left empty: no limit; double clicked: as at first.";
   const std::string name = std::string(line.name) + (is_least ? " min" : " max");
   const Edit edit = desk.ui.quantity(name, value, look);
   if (edit.changed) {

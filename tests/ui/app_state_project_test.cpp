@@ -75,13 +75,43 @@ TEST(AppStateProject, UndoComesBackToWhatWasSaved) {
   EXPECT_TRUE(state.shows_saved());
 }
 
+TEST(AppStateProject, PanelsOfEarlierSettingsAreSolvedWhenItIsOpened) {
+  const TemporaryFolder folder;
+  AppState state;
+  state.open_sample("dome", 100);
+  ASSERT_TRUE(settle(state));
+  state.set_auto_solve(false);
+  state.change_settings(with_fairing(state, 2.0), "Weight of fairing");
+  ASSERT_FALSE(state.up_to_date());
+  ASSERT_TRUE(save(state, folder.path() / "late.planewright"));
+  AppState again;
+  ASSERT_TRUE(open(again, folder.path() / "late.planewright"));
+  EXPECT_FALSE(again.shows_saved());
+  EXPECT_NE(again.report(), nullptr);
+  EXPECT_TRUE(again.up_to_date());
+}
+
+TEST(AppStateProject, ASaveThatEndsAfterAnotherDesignIsOpenedIsNotItsFile) {
+  const TemporaryFolder folder;
+  AppState state;
+  state.open_sample("dome", 400);
+  ASSERT_TRUE(settle(state));
+  state.save_project(folder.path() / "a.planewright");
+  state.open_sample("torus");
+  ASSERT_TRUE(run_until(state, [&] { return !state.saving() && !state.loading(); }));
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.document().name(), "torus");
+  EXPECT_TRUE(state.project_path().empty() || state.opened_count() == 1);
+  EXPECT_EQ(state.title(), "torus");
+}
+
 TEST(AppStateProject, ALayerWithoutPanelsIsSolved) {
   const TemporaryFolder folder;
   AppState state;
   state.open_sample("dome", 100);
   ASSERT_TRUE(settle(state));
   state.set_auto_solve(false);
-  state.add_layer();
+  state.duplicate_layer(0);
   ASSERT_TRUE(save(state, folder.path() / "two.planewright"));
   AppState again;
   ASSERT_TRUE(open(again, folder.path() / "two.planewright"));

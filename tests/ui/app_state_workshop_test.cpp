@@ -93,6 +93,22 @@ TEST(AppStateWorkshop, GoingToAFailureSelectsItsPanelAndLooksThere) {
   EXPECT_EQ(state.current_failure(), std::nullopt);
 }
 
+TEST(AppStateWorkshop, TakingBackALimitLeavesThePanelsThatWereSolvedMeanwhile) {
+  AppState state;
+  ASSERT_TRUE(open_dome(state));
+  state.change_settings(with_fairing(state, 0.5), "Weight of fairing");
+  limit_edges(state, 1e5);
+  ASSERT_TRUE(settle(state));
+  const auto fingerprint = state.shown()->fingerprint;
+  const auto ticket = state.ticket();
+  state.undo();
+  ASSERT_TRUE(settle(state));
+  EXPECT_EQ(state.shown()->fingerprint, fingerprint);
+  EXPECT_EQ(state.ticket(), ticket) << "nothing was solved again";
+  EXPECT_TRUE(state.up_to_date());
+  EXPECT_EQ(state.workshop()->verdicts.failed, 0);
+}
+
 TEST(AppStateWorkshop, OfPanelsBeforeAFlipNothingIsToldOfThoseAfterIt) {
   AppState state;
   ASSERT_TRUE(open_dome(state));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/certify/check_text.h"
 #include "core/certify/exact_signs.h"
@@ -30,8 +31,12 @@ EdgeNames::EdgeNames(const Drawing& drawing, const ExportContent& content, doubl
     widest_ = std::max(widest_, parts_.back().high.x() - parts_.back().low.x());
   }
   std::sort(parts_.begin(), parts_.end(), [](const Part& a, const Part& b) { return a.low.x() < b.low.x(); });
+  const std::set<std::string> names(content.model->names.begin(), content.model->names.end());
   for (const DrawingText& t : drawing.texts) {
     if (t.is_name) continue;
+    if (t.panel >= 0 && names.contains(t.text) && !is_neighbour(t.panel, t.text))
+      faults_.push_back(t.text + " on " + content.model->names[static_cast<size_t>(t.panel)] +
+                        ": no neighbour");
     if (t.panel < 0 || !is_neighbour(t.panel, t.text)) {
       notes_.push_back(t.text);
     } else if (t.height < left_out_below) {

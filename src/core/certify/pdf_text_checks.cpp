@@ -46,6 +46,8 @@ void PdfTextChecks::page(const ReadPage& page, const Drawing& drawing, double sc
     said = said || t.text.find(kPdfEdgeNamesLeftOut) != std::string::npos;
     if (!panel_names_.contains(t.text)) continue;
     const Vector2d at = t.at * scale - shift;
+    // The title block and the scale bar may say what a panel is called, too.
+    if (at.x() < 0.0 || at.y() < 0.0 || at.x() > drawing.width || at.y() > drawing.height) continue;
     const int panel = names.panel_at(at);
     if (panel >= 0 && content_.model->names[static_cast<size_t>(panel)] == t.text) {
       const double box = 0.5 * std::hypot(t.width / std::max(t.height, 1e-9), 1.0) * kLeastPdfName;

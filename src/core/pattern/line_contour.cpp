@@ -84,8 +84,9 @@ class Contour {
       // A cut that would leave nothing of the side (its other end lies beyond the foot) is made within it.
       const double length = end[i] - begin[i];
       if (!(end_wanted[i] - begin_wanted[i] > kNoLength * around_)) {
-        begin_wanted[i] = cut[i] ? begin[i] + length / 3 : begin[i];
-        end_wanted[i] = cut[(i + 1) % n] ? end[i] - length / 3 : end[i];
+        // Of an end that a reflex corner has moved outwards nothing is taken.
+        if (begin_wanted[i] > begin[i]) begin_wanted[i] = begin[i] + length / 3;
+        if (end_wanted[i] < end[i]) end_wanted[i] = end[i] - length / 3;
       }
     }
     for (size_t i = 0; i < n; ++i) {
