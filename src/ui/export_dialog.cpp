@@ -302,9 +302,11 @@ void draw_export_dialog(Desk& desk) {
   draw_footer(desk);
   ImGui::EndChild();
   ImGui::End();
-  // What was written is another thing than what is chosen now.
-  if (desk.window.settings.workshop_export != before && !desk.state.exporting_to_workshop())
-    desk.state.forget_export_outcome();
+  // What was written is another thing than what is chosen now, here or by undoing.
+  const bool changed =
+      desk.window.settings.workshop_export != before || desk.state.contract() != dialog.contract;
+  dialog.contract = desk.state.contract();
+  if (changed && !desk.state.exporting_to_workshop()) desk.state.forget_export_outcome();
 }
 
 }  // namespace planewright::ui
