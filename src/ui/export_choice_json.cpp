@@ -52,7 +52,7 @@ ExportChoice read_export_choice(const nlohmann::json& json) {
     for (const auto& name : *formats)
       for (const ExportFormat format : export_formats())
         if (name.is_string() && name.get_ref<const std::string&>() == name_of(format)) known.insert(format);
-    choice.formats = known;
+    if (!known.empty() || formats->empty()) choice.formats = known;
   }
   if (const auto dxf = json.find("dxf"); dxf != json.end() && *dxf == "r12") choice.dxf = DxfVersion::R12;
   ExportLayout& layout = choice.layout;

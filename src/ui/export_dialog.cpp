@@ -41,9 +41,16 @@ std::string why_not(const Desk& desk) {
   return {};
 }
 
+// "out/" is "out": its parent is where "out" lies.
+fs::path chosen_folder(const ExportDialog& dialog) {
+  std::error_code error;
+  const fs::path folder = fs::absolute(dialog.folder, error).lexically_normal();
+  return folder.has_filename() ? folder : folder.parent_path();
+}
+
 void start(Desk& desk) {
   const ExportDialog& dialog = desk.window.export_dialog;
-  const fs::path folder = fs::absolute(dialog.folder).lexically_normal();
+  const fs::path folder = chosen_folder(dialog);
   if (desk.state.export_panels_to_workshop(desk.window.settings.workshop_export, folder, dialog.overwrite))
     desk.window.settings.last_folder = folder.parent_path().string();
 }
@@ -95,7 +102,7 @@ void draw_folder(Desk& desk) {
   look.width = browse;
   look.tooltip = "Choose the folder";
   if (ui.button("browse", "…", look)) {
-    const fs::path folder = fs::path(dialog.folder);
+    const fs::path folder = chosen_folder(dialog);
     desk.window.browser.open(FileBrowser::Purpose::ChooseFolder, folder.parent_path(),
                              folder.filename().string());
   }
@@ -296,9 +303,11 @@ void draw_export_dialog(Desk& desk) {
   draw_footer(desk);
   ImGui::EndChild();
   ImGui::End();
-  // What was written is another thing than what is chosen now.
-  if (desk.window.settings.workshop_export != before && !desk.state.exporting_to_workshop())
-    desk.state.forget_export_outcome();
+  // What was written is another thing than what is chosen now, here or by undoing.
+  const bool changed =
+      desk.window.settings.workshop_export != before || desk.state.contract() != dialog.contract;
+  dialog.contract = desk.state.contract();
+  if (changed && !desk.state.exporting_to_workshop()) desk.state.forget_export_outcome();
 }
 
 }  // namespace planewright::ui

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <string>
 
+#include "core/workshop/contract.h"
 #include "ui/sheet_preview.h"
 
 namespace planewright::ui {
@@ -20,6 +21,7 @@ struct ExportDialog {
   std::uint64_t design = 0;  // AppState::opened_count() that folder, project and note are of
   std::string folder;
   bool overwrite = false;
+  WorkshopContract contract;     // as it was in the newest frame
   int sheet = 0;                 // that is seen
   bool scroll_to_sheet = false;  // in the row of all
   SheetPreview preview;

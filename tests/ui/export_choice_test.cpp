@@ -22,6 +22,22 @@ ExportChoice another() {
   return choice;
 }
 
+TEST(ExportChoice, AtFirstDrawingsAndSchedulesOnStockSheets) {
+  const ExportChoice choice;
+  EXPECT_EQ(choice.formats, (std::set{ExportFormat::Dxf, ExportFormat::Pdf, ExportFormat::Csv}));
+  EXPECT_EQ(choice.on_failure, OnFailure::Mark);
+  EXPECT_EQ(choice.page, PageSize::A3);
+  EXPECT_TRUE(choice.layout.sheets);
+  const ExportSettings settings = export_settings(choice, {}, "roof", "", false);
+  ASSERT_TRUE(settings.nesting);
+  EXPECT_EQ(settings.nesting->sheet, (SheetSize{3210.0, 6000.0}));
+  EXPECT_FALSE(settings.pdf.landscape) << "the sheet stands upright";
+  EXPECT_EQ(settings.pdf.page_width, 297.0);
+  EXPECT_EQ(settings.pdf.page_height, 420.0);
+  EXPECT_FALSE(settings.overwrite);
+  EXPECT_EQ(UserSettings().workshop_export, choice);
+}
+
 TEST(ExportChoice, IsRememberedWithTheWindowsSettings) {
   UserSettings settings;
   settings.workshop_export = another();
@@ -43,6 +59,13 @@ TEST(ExportChoice, DamagedValuesAreAsAtFirst) {
   EXPECT_EQ(read(R"({"sheet_width": -3, "spacing": "wide", "page": "B5", "text_height": 1e9})"),
             ExportChoice());
   EXPECT_EQ(read(R"({"formats": ["svg", "dwg", 4]})").formats, std::set{ExportFormat::Svg});
+  EXPECT_EQ(read(R"({"formats": ["dwg", null]})"), ExportChoice()) << "none that is known";
+  EXPECT_EQ(read(R"({"formats": "svg", "dxf": 12, "sheets": 0, "drawn_by": [], "refuse_failing": "yes"})"),
+            ExportChoice());
+  EXPECT_TRUE(read(R"({"formats": []})").formats.empty()) << "chosen so";
+  const auto settings = parse_user_settings(R"({"workshop_export": [1, 2], "dark": true})");
+  ASSERT_TRUE(settings);
+  EXPECT_EQ(settings->workshop_export, ExportChoice());
 }
 
 TEST(ExportChoice, AsksForWhatWasChosen) {

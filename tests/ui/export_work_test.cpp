@@ -110,6 +110,54 @@ TEST(ExportWork, WritingWaitsForItsPreparation) {
   EXPECT_TRUE(end->outcome->certificate.pass());
 }
 
+TEST(ExportWork, WhatWaitsToBeWrittenIsNotReplacedByOtherSettings) {
+  const TemporaryFolder folder;
+  ExportWork work;
+  const ExportJob job = squares();
+  ExportJob other = job;
+  other.layout.margin = 30.0;
+  work.prepare(job);
+  work.write(settings_for(job), folder / "out");
+  work.prepare(other);
+  work.rest();
+  std::optional<ExportEnd> end;
+  ASSERT_TRUE(run_until(work, [&] { return (end = work.take_end()).has_value(); }));
+  ASSERT_TRUE(end->outcome) << end->outcome.error().text();
+  EXPECT_EQ(work.prepared()->job, job);
+  ASSERT_TRUE(prepare(work, other));
+  EXPECT_EQ(work.prepared()->job, other);
+}
+
+TEST(ExportWork, WhatCannotBePreparedCannotBeWritten) {
+  const TemporaryFolder folder;
+  ExportWork work;
+  ExportJob job = squares(4);
+  job.layout.sheet = {15.0, 15.0};
+  work.prepare(job);
+  const auto end = write(work, job, folder / "out");
+  ASSERT_TRUE(end);
+  ASSERT_FALSE(end->outcome);
+  ASSERT_TRUE(work.refusal());
+  EXPECT_EQ(end->outcome.error().what, work.refusal()->what);
+  EXPECT_FALSE(end->stopped);
+  EXPECT_FALSE(work.writing());
+  EXPECT_TRUE(holds_nothing(folder.path()));
+}
+
+TEST(ExportWork, AfterARestTheSameIsPreparedAgain) {
+  ExportWork work;
+  const ExportJob job = squares();
+  work.prepare(job);
+  work.rest();
+  EXPECT_FALSE(work.preparing());
+  work.prepare(job);
+  EXPECT_TRUE(work.preparing());
+  ASSERT_TRUE(run_until(work, [&] { return !work.preparing(); }));
+  EXPECT_FALSE(work.refusal()) << "being stopped is no refusal";
+  ASSERT_NE(work.prepared(), nullptr);
+  EXPECT_EQ(work.prepared()->job, job);
+}
+
 TEST(ExportWork, AFolderThatIsNotThereIsAnErrorAndLeavesNothing) {
   const TemporaryFolder folder;
   ExportWork work;
@@ -121,6 +169,23 @@ TEST(ExportWork, AFolderThatIsNotThereIsAnErrorAndLeavesNothing) {
   EXPECT_EQ(end->outcome.error().code, ErrorCode::Unwritable);
   EXPECT_FALSE(end->stopped);
   EXPECT_TRUE(holds_nothing(folder.path()));
+}
+
+TEST(ExportWork, AFileInTheWayIsAnErrorAndStays) {
+  const TemporaryFolder folder;
+  ExportWork work;
+  const ExportJob job = squares(4);
+  const fs::path file = folder.write("out", "mine");
+  ASSERT_TRUE(prepare(work, job));
+  for (const fs::path& target : {file, file / "below"}) {
+    const auto end = write(work, job, target, true);
+    ASSERT_TRUE(end);
+    ASSERT_FALSE(end->outcome) << target;
+    EXPECT_EQ(end->outcome.error().code, ErrorCode::Unwritable);
+    EXPECT_NE(end->outcome.error().text().find("out"), std::string::npos);
+  }
+  EXPECT_EQ(fs::file_size(file), 4u);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()), 1);
 }
 
 TEST(ExportWork, WhatIsThereIsNotReplacedUnasked) {
@@ -149,6 +214,37 @@ TEST(ExportWork, StoppedItLeavesNoTrace) {
   EXPECT_FALSE(end->outcome);
   EXPECT_TRUE(holds_nothing(folder.path()));
   EXPECT_TRUE(write(work, job, folder / "out")->outcome) << "and can be asked for again";
+}
+
+TEST(ExportWork, StoppedBeforeItsPreparationIsReadyItLeavesNoTrace) {
+  const TemporaryFolder folder;
+  ExportWork work;
+  const ExportJob job = squares();
+  work.prepare(job);
+  ASSERT_TRUE(work.preparing());
+  work.write(settings_for(job), folder / "out");
+  work.stop();
+  EXPECT_FALSE(work.writing());
+  const auto end = work.take_end();
+  ASSERT_TRUE(end);
+  EXPECT_TRUE(end->stopped);
+  ASSERT_TRUE(run_until(work, [&] { return !work.preparing(); }));
+  EXPECT_NE(work.prepared(), nullptr) << "the preview is still wanted";
+  work.update();
+  EXPECT_FALSE(work.take_end());
+  EXPECT_TRUE(holds_nothing(folder.path()));
+}
+
+TEST(ExportWork, ItsOwnerCanGoWhileItPrepares) {
+  const TemporaryFolder folder;
+  {
+    ExportWork work;
+    const ExportJob job = squares(40);
+    work.prepare(job);
+    work.write(settings_for(job), folder / "out");
+    ASSERT_TRUE(work.preparing());
+  }
+  EXPECT_TRUE(holds_nothing(folder.path()));
 }
 
 TEST(ExportWork, EndsWithItsOwner) {
