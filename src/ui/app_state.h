@@ -281,6 +281,7 @@ class AppState {
   // How the newest export ended; nothing while one is under way, before the first, or once forgotten.
   const std::optional<ExportOutcome>& export_outcome() const { return export_outcome_; }
   const std::optional<Error>& export_error() const { return export_error_; }
+  const std::filesystem::path& export_target() const { return export_target_; }  // of the newest export
   bool export_stopped() const { return export_stopped_; }
   void forget_export_outcome();
 
@@ -659,6 +660,7 @@ class AppState {
   std::shared_ptr<const Iterate> export_iterate_;      // whose panels these are
   std::uint64_t export_layer_ = 0;                     // of the newest export
   PanelSeries export_series_{};                        // likewise
+  std::filesystem::path export_target_;                // likewise
   std::optional<ExportOutcome> export_outcome_;
   std::optional<Error> export_error_;
   bool export_stopped_ = false;

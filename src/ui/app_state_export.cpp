@@ -53,6 +53,7 @@ bool AppState::export_panels_to_workshop(const ExportChoice& choice, const std::
   export_error_.reset();
   export_stopped_ = false;
   prepare(*job);
+  export_target_ = folder;
   export_layer_ = run(active_layer()).id;
   export_series_ = panel_series(document_.settings());
   export_work_.write(export_settings(choice, job->contract, job->model->title, today(), overwrite), folder);

@@ -87,7 +87,7 @@ void draw_header(Desk& desk) {
 void draw_folder(Desk& desk) {
   Ui& ui = desk.ui;
   ExportDialog& dialog = desk.window.export_dialog;
-  const float space = ImGui::GetStyle().ItemSpacing.x, frame = ImGui::GetFrameHeight();
+  const float space = ImGui::GetStyle().ItemSpacing.x;
   ImGui::AlignTextToFramePadding();
   ui.text("Folder", ui.colours().ink_soft);
   ImGui::SameLine(ui.px(62));
@@ -111,7 +111,6 @@ void draw_folder(Desk& desk) {
                   "Files of an earlier export in this folder are replaced; those that are no longer written "
                   "go. Other files stay."))
     desk.state.forget_export_outcome();
-  ImGui::Dummy(ImVec2(frame, 0));
 }
 
 void draw_progress(Desk& desk, ImVec2 min, ImVec2 max) {
@@ -163,7 +162,8 @@ void draw_standing(Desk& desk, ImVec2 min, ImVec2 max) {
   if (state.exporting_to_workshop()) return draw_progress(desk, min, max);
   if (const auto& error = state.export_error()) {
     std::string more = error->remedy;
-    if (!error->where.empty())
+    // The folder that was to be written stands above.
+    if (!error->where.empty() && error->where != state.export_target().string())
       more = elided_left(ui.theme().small(), error->where, max.x - min.x - ui.px(30)) +
              (more.empty() ? "" : "\n" + more);
     return draw_result(ui, "error", Icon::Error, ui.colours().error, capitalised(error->what), more, min,
@@ -282,7 +282,7 @@ void draw_export_dialog(Desk& desk) {
   draw.AddRect(min, max, ui.colours().line, ui.px(7));
 
   const float pad = ui.px(18), gap = ui.px(18), left = std::min(ui.px(318), 0.36f * size.x);
-  const float top = min.y + ui.px(12), frame = ImGui::GetFrameHeight(), footer = frame + ui.px(76);
+  const float top = min.y + ui.px(12), frame = ImGui::GetFrameHeight(), footer = frame + ui.px(82);
   ImGui::SetCursorScreenPos(ImVec2(min.x + pad, top));
   ImGui::BeginChild("header", ImVec2(size.x - 2 * pad, frame), false, ImGuiWindowFlags_NoScrollbar);
   draw_header(desk);

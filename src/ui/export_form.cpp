@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cfloat>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,6 +60,16 @@ void label(Ui& ui, const char* text) {
   ImGui::SameLine(ui.label_width());
 }
 
+// Leaves the cursor at the line's beginning, where the segments alone leave it under themselves.
+bool segmented_row(Ui& ui, const char* name, const char* text, std::span<const std::string> labels,
+                   int& current, std::span<const std::string> tooltips = {}) {
+  const float left = ImGui::GetCursorPosX();
+  label(ui, text);
+  const bool changed = ui.segmented(name, labels, current, tooltips);
+  ImGui::SetCursorPosX(left);
+  return changed;
+}
+
 void text_row(Ui& ui, const char* name, const char* text, std::string& value, const std::string& hint) {
   label(ui, text);
   ImGui::SetNextItemWidth(-FLT_MIN);
@@ -97,8 +108,7 @@ void draw_formats(Desk& desk, ExportChoice& choice) {
     static const std::array<std::string, 2> kAbout = {"For old machines: polylines of their own kind",
                                                       "What every CAD program of today reads"};
     int version = choice.dxf == DxfVersion::R12 ? 0 : 1;
-    label(ui, "DXF version");
-    if (ui.segmented("dxf", kVersions, version, kAbout))
+    if (segmented_row(ui, "dxf", "DXF version", kVersions, version, kAbout))
       choice.dxf = version == 0 ? DxfVersion::R12 : DxfVersion::R2000;
   }
 }
@@ -170,8 +180,7 @@ void draw_page(Desk& desk, ExportChoice& choice) {
   std::vector<std::string> names;
   for (const PageMeasure& page : kPages) names.emplace_back(page.name);
   int page = static_cast<int>(choice.page);
-  label(ui, "Page");
-  if (ui.segmented("page", names, page)) choice.page = static_cast<PageSize>(page);
+  if (segmented_row(ui, "page", "Page", names, page)) choice.page = static_cast<PageSize>(page);
   text_row(ui, "project", "Project", choice.project,
            std::filesystem::path(desk.state.document().name()).stem().string());
   text_row(ui, "drawn by", "Drawn by", choice.drawn_by, "name");

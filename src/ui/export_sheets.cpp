@@ -154,10 +154,10 @@ void draw_thumbnails(Desk& desk, const PreparedExport& prepared, float height) {
     if (ImGui::InvisibleButton("thumbnail", ImVec2(wide, high))) show_sheet(dialog, i, count);
     ImGui::PopID();
     const ImVec2 min = ImGui::GetItemRectMin(), max = ImGui::GetItemRectMax();
-    ui.record("thumbnail " + std::to_string(i + 1), min, max);
     if (i == dialog.sheet && (ImGui::IsWindowAppearing() || std::exchange(dialog.scroll_to_sheet, false)))
       ImGui::SetScrollHereX();
     if (!ImGui::IsRectVisible(min, max)) continue;
+    ui.record("thumbnail " + std::to_string(i + 1), min, max);
     const bool current = i == dialog.sheet;
     ImDrawList& draw = *ImGui::GetWindowDrawList();
     draw_thumbnail(draw, drawing, min, max);

@@ -53,6 +53,7 @@ std::vector<std::string> failed_checks(const Certificate& certificate) {
 
 Error readable(Error error) {
   if (error.where.starts_with("--")) error.where.clear();
+  if (error.what.starts_with("has files of these names")) error.what = "The folder " + error.what;
   for (const auto& [core, window] : kWords)
     if (error.remedy == core) error.remedy = window;
   return error;
@@ -75,6 +76,8 @@ std::string sheet_line(const ExportPreparation& made, int sheet) {
 }
 
 std::string verdict_line(const ToleranceVerdicts& verdicts) {
+  if (verdicts.failed == 0)
+    return format_count(verdicts.passed, "panel keeps", "panels keep") + " the tolerances";
   return format_count(verdicts.failed) + " of " +
          format_count(verdicts.passed + verdicts.failed, "panel fails", "panels fail");
 }

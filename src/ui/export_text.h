@@ -20,7 +20,7 @@ std::vector<std::string> failed_checks(const Certificate& certificate);
 Error readable(Error error);
 // "Sheet 3 of 17, 63 % filled, 21 parts"; "All panels in rows, 378 parts".
 std::string sheet_line(const ExportPreparation& made, int sheet);
-// "14 of 360 panels fail"
+// "14 of 360 panels fail", "360 panels keep the tolerances"
 std::string verdict_line(const ToleranceVerdicts& verdicts);
 
 }  // namespace planewright::ui

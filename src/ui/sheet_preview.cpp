@@ -17,6 +17,7 @@ constexpr ImU32 kPaper = IM_COL32(0xFF, 0xFF, 0xFF, 0xFF), kCut = IM_COL32(0xC6,
 constexpr double kWheel = 1.2;           // zoom of a notch
 constexpr float kSlop = 4;               // pixels at scale 1 that a click may wander
 constexpr double kSmallestLine = 1.5;    // pixels; what is smaller is not drawn
+constexpr double kSmallestMark = 6.0;    // likewise, of what is engraved: seen when names are as they are
 constexpr double kSmallestText = 5.0;    // pixels of a capital letter
 constexpr double kSmallestPart = 14.0;   // pixels; smaller parts are not recorded
 constexpr int kRecorded = 250;           // parts, at most
@@ -229,7 +230,8 @@ SheetPreview::Pointed SheetPreview::draw(Ui& ui, const Drawing& drawing, std::ui
       const DrawingLine& line = drawing.lines[i];
       if (line.layer != layer || !in_sight(boxes_[i])) continue;
       const Box& box = boxes_[i];
-      if (std::max(box.x1 - box.x0, box.y1 - box.y0) * scale_ < kSmallestLine) continue;
+      const double smallest = layer == DrawingLayer::Engrave ? kSmallestMark : kSmallestLine;
+      if (std::max(box.x1 - box.x0, box.y1 - box.y0) * scale_ < smallest) continue;
       const int count = run(line.points);
       list.AddPolyline(buffer_.data(), count, colour_of(layer), line.closed ? ImDrawFlags_Closed : 0, thin);
     }

@@ -79,7 +79,7 @@ std::optional<std::string> export_value(const DriverContext& c, const std::strin
   if (key == "export_formats") {
     std::string names;
     for (const ExportFormat format : c.window.settings.workshop_export.formats)
-      names += (names.empty() ? "" : " ") + std::string(name_of(format));
+      names.append(names.empty() ? "" : " ").append(name_of(format));
     return names;
   }
   const auto& outcome = state.export_outcome();

@@ -52,7 +52,8 @@ TEST_F(WindowTest, TheExportDialogWritesCertifiedFiles) {
     wait_frames 3
     wait_export 120
     wait_frames 3
-    expect export_error != ""
+    expect export_error contains "The folder has files of these names"
+    expect export_error contains "Overwrite existing files"
     expect export_pass == none
     click Export/overwrite
     wait_frames 3
