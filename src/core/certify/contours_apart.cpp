@@ -5,6 +5,7 @@
 #include <limits>
 #include <vector>
 
+#include "core/certify/border_distance.h"
 #include "core/certify/exact_signs.h"
 
 namespace planewright {
@@ -20,19 +21,10 @@ double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
 
-double to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  const double length = along.squaredNorm();
-  const double t = length > 0.0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
-
 // The least distance of a corner of one from the sides of the other: of contours that do not meet, theirs.
 double corners_to_sides(const Contour& a, const Contour& b) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < a.rows(); ++i)
-    for (Eigen::Index k = 0; k < b.rows(); ++k)
-      nearest = std::min(nearest, to_segment(corner(a, i), corner(b, k), corner(b, k + 1)));
+  for (Eigen::Index i = 0; i < a.rows(); ++i) nearest = std::min(nearest, to_border(b, corner(a, i)));
   return nearest;
 }
 
@@ -44,10 +36,7 @@ bool borders_meet(const Contour& a, const Contour& b) {
 }
 
 bool deep_inside(const Contour& c, const Vector2d& p, double depth) {
-  if (!covers(c, p)) return false;
-  for (Eigen::Index i = 0; i < c.rows(); ++i)
-    if (to_segment(p, corner(c, i), corner(c, i + 1)) <= depth) return false;
-  return true;
+  return covers(c, p) && to_border(c, p) > depth;
 }
 
 // A point in the widest place half way between two heights of corners.

@@ -5,22 +5,13 @@
 #include <limits>
 #include <set>
 
+#include "core/certify/border_distance.h"
 #include "core/certify/check_text.h"
 #include "core/certify/exact_signs.h"
 
 namespace planewright {
-namespace {
 
 using Eigen::Vector2d;
-
-double to_segment(const Vector2d& p, const Vector2d& a, const Vector2d& b) {
-  const Vector2d along = b - a;
-  const double length = along.squaredNorm();
-  const double t = length > 0.0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
-
-}  // namespace
 
 EdgeNames::EdgeNames(const Drawing& drawing, const ExportContent& content, double left_out_below,
                      double slack)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "core/certify/border_distance.h"
 #include "core/certify/check_text.h"
 #include "core/certify/edge_name_checks.h"
 
@@ -15,17 +16,6 @@ using Eigen::Vector2d;
 
 // Capitals as the reader measures them are known to some per cent of the font.
 constexpr double kFont = 0.95;
-
-double room_at(const Contour& c, const Vector2d& p) {
-  double room = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < c.rows(); ++i) {
-    const Vector2d a = c.row(i), along = Vector2d(c.row((i + 1) % c.rows())) - a;
-    const double length = along.squaredNorm();
-    const double t = length > 0.0 ? std::clamp((p - a).dot(along) / length, 0.0, 1.0) : 0.0;
-    room = std::min(room, (p - a - t * along).norm());
-  }
-  return room;
-}
 
 }  // namespace
 
@@ -51,7 +41,7 @@ void PdfTextChecks::page(const ReadPage& page, const Drawing& drawing, double sc
     const int panel = names.panel_at(at);
     if (panel >= 0 && content_.model->names[static_cast<size_t>(panel)] == t.text) {
       const double box = 0.5 * std::hypot(t.width / std::max(t.height, 1e-9), 1.0) * kLeastPdfName;
-      if (t.height < kFont * kLeastPdfName && box / kFont <= room_at(*cut.at(panel), at) / scale)
+      if (t.height < kFont * kLeastPdfName && box / kFont <= to_border(*cut.at(panel), at) / scale)
         sizes_.push_back(t.text + there);
     } else {
       names.found(t.text, at);
