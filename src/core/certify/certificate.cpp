@@ -175,7 +175,8 @@ bool Certificate::pass() const {
 }
 
 Certificate certify(const std::filesystem::path& folder, const std::vector<ExportedFile>& files,
-                    const ExportContent& content, const std::function<void(int, int)>& progress) {
+                    const ExportContent& content, const std::function<void(int, int)>& progress,
+                    const std::stop_token& stop) {
   Certificate certificate;
   Certifier certifier(folder, content);
   const int total = static_cast<int>(files.size()) + 1;
@@ -187,6 +188,7 @@ Certificate certify(const std::filesystem::path& folder, const std::vector<Expor
   certificate.design = check_design(content);
   ++done;
   for (const ExportedFile& file : files) {
+    if (stop.stop_requested()) return certificate;
     report();
     certificate.files.push_back(certifier.file(file));
     ++done;

@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -79,9 +80,10 @@ struct Certificate {
 };
 
 // Reads every file below `folder`. A file that cannot be read is a check that fails, no error. progress(done,
-// total) may be null.
+// total) may be null. Stopped between two files it lacks the rest, and is good for nothing.
 Certificate certify(const std::filesystem::path& folder, const std::vector<ExportedFile>& files,
-                    const ExportContent& content, const std::function<void(int, int)>& progress = {});
+                    const ExportContent& content, const std::function<void(int, int)>& progress = {},
+                    const std::stop_token& stop = {});
 
 // With "pass", tool, version, and every check. The page: one HTML file that needs nothing else, prints well.
 std::string to_json(const Certificate& certificate, const ExportContent& content);

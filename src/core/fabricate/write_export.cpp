@@ -109,9 +109,9 @@ Result<ExportOutcome> write_export(const std::shared_ptr<const WorkshopModel>& m
                               .classes = &prepared.classes,
                               .congruence = prepared.congruence,
                               .nesting = prepared.nesting ? settings.nesting : std::nullopt};
-  outcome.certificate = certify(staged->path(), files, content, [&](int done, int total) {
-    tell("certifying", total > 0 ? double(done) / total : 1.0);
-  });
+  outcome.certificate = certify(
+      staged->path(), files, content,
+      [&](int done, int total) { tell("certifying", total > 0 ? double(done) / total : 1.0); }, stop);
   if (stop.stop_requested()) return fail(ErrorCode::Usage, "stopped before anything was written");
   for (const auto& [name, text] :
        {std::pair{kCertificateJson, to_json(outcome.certificate, content)},
