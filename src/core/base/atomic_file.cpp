@@ -14,8 +14,10 @@ namespace planewright {
 namespace {
 
 Error unwritable(const std::filesystem::path& path, int error) {
+  const bool full = error == ENOSPC || error == EDQUOT;
   return {ErrorCode::Unwritable, std::string("cannot be written: ") + std::strerror(error), path.string(),
-          "Choose a folder that exists and that you may write to"};
+          full ? "Make room there, or choose a folder elsewhere"
+               : "Choose a folder that exists and that you may write to"};
 }
 
 // Writes all bytes or returns errno.

@@ -204,6 +204,7 @@ TEST(WriteFileAtomically, WritesToDevices) {
   ASSERT_FALSE(written);
   EXPECT_EQ(written.error().code, ErrorCode::Unwritable);
   EXPECT_NE(written.error().what.find("No space left"), std::string::npos);
+  EXPECT_NE(written.error().remedy.find("Make room"), std::string::npos) << written.error().remedy;
 }
 
 TEST(ReadFile, NamesAMissingFile) {
