@@ -57,6 +57,10 @@ class Document {
   // solved for another revision.
   std::uint64_t revision() const { return revision_; }
 
+  // Tells what the design is now from what it was at any other time: another number after every change, the
+  // same one again after undo and redo. Results count only where a step of their own recorded them.
+  std::uint64_t moment() const { return history_.present().number; }
+
   // The number of each element of the mesh, which it keeps through edits, undo and redo; null if empty.
   const std::shared_ptr<const ElementIds>& ids() const { return history_.present().ids; }
   // What a panel of a layer is called (panel_name()), by its TangentComplex::plane_origin in the present
@@ -93,6 +97,7 @@ class Document {
   // Changes unit, tolerances and the like; the same rules.
   void change_contract(WorkshopContract changed, std::string what, std::string merge_key = {});
   void end_merge() { history_.end_merge(); }
+  bool merging() const { return history_.merging(); }  // the newest step is still open
 
   // The regions that panels of clusters are made of; shared by all layers. Null: not known.
   const SharedClusters& clusters() const { return history_.present().clusters; }

@@ -6,6 +6,7 @@
 namespace planewright {
 
 void History::begin(Moment opened) {
+  opened.number = next_number_++;
   moments_.clear();
   moments_.push_back(std::move(opened));
   done_ = 0;
@@ -13,6 +14,7 @@ void History::begin(Moment opened) {
 }
 
 void History::step(Moment next) {
+  next.number = next_number_++;
   const bool merges = merging_ && !next.merge_key.empty() && done_ > 0 && done_ + 1 == moments_.size() &&
                       present().merge_key == next.merge_key;
   if (!merges) {
@@ -32,6 +34,11 @@ void History::step(Moment next) {
   }
   next.what = present().what;
   moments_.back() = std::move(next);
+}
+
+void History::set_clusters(SharedClusters clusters) {
+  moments_[done_].clusters = std::move(clusters);
+  moments_[done_].number = next_number_++;
 }
 
 void History::go_to(int done) {

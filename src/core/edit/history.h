@@ -4,6 +4,7 @@
 // one thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -23,8 +24,9 @@ class ShownResults {
 };
 
 struct Moment {
-  std::string what;       // the step that led here: "Flip edge 1042"
-  std::string merge_key;  // of that step, see History::merge()
+  std::uint64_t number = 0;  // given by the history: of no other moment, nor of this one before it changed
+  std::string what;          // the step that led here: "Flip edge 1042"
+  std::string merge_key;     // of that step, see History::merge()
   std::shared_ptr<const PolygonMesh> mesh;
   std::shared_ptr<const ElementIds> ids;  // of the mesh's elements
   Design design;
@@ -50,7 +52,7 @@ class History {
   void end_merge() { merging_ = false; }
   bool merging() const { return merging_; }
   // The clusters of the present moment from now on; no step.
-  void set_clusters(SharedClusters clusters) { moments_[done_].clusters = std::move(clusters); }
+  void set_clusters(SharedClusters clusters);
   // Shown at the present moment from now on; no step.
   void set_results(std::shared_ptr<const ShownResults> results) {
     moments_[done_].results = std::move(results);
@@ -63,6 +65,7 @@ class History {
   std::vector<Moment> moments_{Moment{}};  // one more than steps
   std::size_t done_ = 0;
   bool merging_ = false;
+  std::uint64_t next_number_ = 1;
 };
 
 }  // namespace planewright
