@@ -8,98 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "ui/action_list.h"
 #include "ui/app_state.h"
 #include "ui/window_state.h"
 
 namespace planewright::ui {
-
-enum class Action {
-  Open,
-  Save,
-  SaveAs,
-  Export,
-  ExportWorkshop,
-  Quit,
-  Undo,
-  Redo,
-  ModeDual,
-  ModePlanarize,
-  ModeCluster,
-  SolveOrStop,
-  SolveAfresh,
-  AutoSolve,
-  Polish,
-  AutoPolish,
-  Fit,
-  ResetView,
-  Ghost,
-  Markers,
-  PanelNames,
-  ColourCycle,
-  ColourNone,
-  ColourPlanarity,
-  ColourDisplacement,
-  ColourFindings,
-  ColourTolerances,
-  LockRange,
-  Convergence,
-  Schedule,
-  DarkTheme,
-  NextFinding,
-  PreviousFinding,
-  NextFailure,
-  PreviousFailure,
-  NextSuggestion,
-  PreviousSuggestion,
-  ApplySuggestion,
-  ApplyAllSuggestions,
-  ClearSelection,
-  SelectBox,
-  SelectAll,
-  SelectBorder,
-  SelectInverse,
-  SelectMore,
-  SelectLess,
-  SelectConnected,
-  StoreSelection,
-  Pin,
-  Unpin,
-  AddLayer,
-  DuplicateLayer,
-  RemoveLayer,
-  NextLayer,
-  HideLayer,
-  SplitRegion,
-  MergeRegions,
-  PaintRegions,
-  ClusterAnew,
-  SightRegions,
-  SightBeside,
-  SightOver,
-  SightPanels,
-  NextSight,
-  Keys,
-  Timings,
-  About,
-};
-
-// A key as the layout of the keyboard names it (GLFW_KEY_*), pressed once.
-struct KeyPress {
-  int key = 0;
-  bool ctrl = false, shift = false, alt = false;
-  bool operator==(const KeyPress&) const = default;
-};
-
-struct ActionInfo {
-  Action action;
-  std::string name;      // "undo": in records, scripts
-  std::string label;     // as a menu shows it
-  std::string shortcut;  // "Ctrl Z"
-  std::vector<KeyPress> keys;
-};
-
-const std::vector<ActionInfo>& action_list();
-const ActionInfo& info(Action action);
 
 class Actions {
  public:

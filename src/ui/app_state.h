@@ -34,12 +34,15 @@
 #include "ui/failure_list.h"
 #include "ui/finding_list.h"
 #include "ui/frame_timings.h"
+#include "ui/layer_run.h"
 #include "ui/look_at.h"
 #include "ui/mesh_view.h"
 #include "ui/prepared_workshop.h"
 #include "ui/region_view.h"
 #include "ui/suggestion_list.h"
+#include "ui/view_options.h"
 #include "ui/view_preparer.h"
+#include "ui/workshop_watch.h"
 
 namespace planewright {
 struct ReadProject;
@@ -49,57 +52,12 @@ namespace planewright::ui {
 
 using Clock = std::chrono::steady_clock;
 
-enum class ColourMap { None, Planarity, Displacement, Findings, Tolerances };
-const char* name(ColourMap map);  // "none", "planarity", "displacement", "findings", "tolerances"
-
-// Of a design of clusters: the input in its regions' colours, the panels, both side by side, or the panels as
-// glass over the input.
-enum class ClusterSight { Regions, Panels, Beside, Over };
-const char* name(ClusterSight sight);  // "regions", "panels", "beside", "over"
-
-// What the designer chose to see.
-struct ViewOptions {
-  ClusterSight cluster_sight = ClusterSight::Beside;
-  bool ghost = true;
-  bool markers = true;
-  bool lock_range = false;  // keep the colour map's range as it is
-  ColourMap colours = ColourMap::None;
-  HiddenFindings hidden_findings;  // kinds that are neither listed nor marked
-  HiddenEdits hidden_edits;        // kinds of suggestions that are neither listed nor applied together
-  bool names = false;              // of the panels, on them
-  std::optional<ToleranceKind> tolerance;  // that ColourMap::Tolerances is about; none: all of the sheet
-  HiddenFailures hidden_failures;          // kinds that are not listed
-
-  bool operator==(const ViewOptions&) const = default;
-};
-
 struct Message {
   enum class Kind { Info, Refused, Warning, Error };  // the first two go by themselves
   std::uint64_t id = 0;
   Kind kind = Kind::Info;
   std::string what, where, remedy;
   Clock::time_point posted;
-};
-
-// What the left button does over the model: orbit and select; draw a box that selects; on regions: split the
-// one that is clicked; merge the two beside a border, or what is clicked into the selected one; paint faces
-// over to the region where a drag begins.
-enum class Tool { Look, Box, Split, Merge, Paint };
-const char* name(Tool tool);  // "look", "box", "split", "merge", "paint"
-inline bool changes_regions(Tool tool) {
-  return tool == Tool::Split || tool == Tool::Merge || tool == Tool::Paint;
-}
-
-// How a layer stands.
-enum class LayerStatus {
-  Waiting,    // to be solved
-  Saved,      // as the project had it, not solved since
-  Solving,    // at present
-  Done,       // converged, every demand met
-  Planar,     // planar, but stopped before it converged
-  Unmet,      // a demand is not met, or panels cross the mesh
-  NotPlanar,  // no planar state
-  Failed,     // refused, or broken down
 };
 
 class AppState {
@@ -119,7 +77,7 @@ class AppState {
   void save_project(const std::filesystem::path& path);
   bool saving() const { return saver_.running(); }
   const std::filesystem::path& project_path() const { return project_path_; }  // empty: never saved
-  bool modified() const;                                                       // since it was opened or saved
+  bool modified() const;      // not as it was opened or saved
   std::string title() const;  // the project's file, or the name of the mesh
   bool can_export() const;
   void export_panels(const std::filesystem::path& path);
@@ -244,7 +202,7 @@ class AppState {
   std::shared_ptr<const PreparedWorkshop> workshop() const;
   bool workshop_fits() const;  // it is of the very state that is shown, and of the present contract
   // Why the newest panels can be nothing to a workshop.
-  const std::optional<Error>& workshop_error() const { return workshop_error_; }
+  const std::optional<Error>& workshop_error() const { return workshop_watch_.error(); }
   // Names that have gone to the workshop stay with the active layer's panels, or those of another.
   void keep_names(const WorkshopModel& model) { keep_names(model, active_layer()); }
   void keep_names(const WorkshopModel& model, int layer);
@@ -418,52 +376,10 @@ class AppState {
   };
   // Equal: nothing that a project file keeps has changed.
   struct DocumentState {
-    std::uint64_t revision = 0, names_given = 0;
+    std::uint64_t moment = 0, names_given = 0;
     bool operator==(const DocumentState&) const = default;
   };
 
-  // What a layer is solved from.
-  struct LayerInputs {
-    std::shared_ptr<const PolygonMesh> mesh;
-    LayerSettings settings;             // with what coplanar_with demands
-    SharedClusters clusters;            // for panels of clusters; else null
-    std::vector<Selection> selections;  // that the demands name
-    std::shared_ptr<const ReferenceSurface> reference;
-    std::shared_ptr<const Iterate> neighbour;
-    bool operator==(const LayerInputs&) const = default;
-    bool complete() const { return settings.mode != ComplexKind::Cluster || clusters; }
-  };
-  // What is known of a layer besides its settings.
-  struct LayerRun {
-    std::uint64_t id = 0;
-    Layer layer;                                   // as the document last had it
-    std::optional<LayerInputs> started;            // of the newest solve; none: never, or it was superseded
-    bool stale = true;                             // the present inputs are others
-    std::uint64_t ticket = 0;                      // of the newest solve
-    SolverKind asked = SolverKind::Tangent;        // for that solve; a polish asks for Auto
-    std::shared_ptr<const ElementIds> ids;         // of the mesh of the newest solve
-    std::shared_ptr<const Iterate> newest;         // that any solve delivered
-    std::shared_ptr<const ElementIds> newest_ids;  // of its mesh
-    bool newest_final = false;
-    std::shared_ptr<const Iterate> finished;  // the newest outcome; what other layers are fitted to
-    std::shared_ptr<const ElementIds> finished_ids;
-    std::shared_ptr<const PreparedView> shown;
-    std::shared_ptr<const PreparedFindings> findings;  // of that view, if their number is its
-    std::uint64_t submitted = 0;                       // number of the newest job for the preparer
-    double thickness = 0.0;                            // that job's
-    std::shared_ptr<const Iterate> beams_to;
-    std::vector<Iteration> history;
-    std::uint64_t history_ticket = 0;
-    double milliseconds_per_step = 0.0;
-    std::optional<SolveReport> report;
-    bool saved = false;                   // the newest state is as a project had it; there is no report
-    std::optional<SolverKind> made_with;  // what was asked for when that result was made; none: no result
-    bool polish_wanted = false;           // the designer has asked for it
-    bool polish_declined = false;         // a polish of this result has come to nothing
-    std::vector<SolveReport::Energy> energies;
-    bool failed = false;          // the newest outcome had no state to show
-    std::uint64_t complaint = 0;  // message about how the newest solve ended, 0: none
-  };
   // Of every layer, as a moment of the document keeps them.
   struct ShownLayers;
   using LoadedReference = std::pair<std::string, Result<std::shared_ptr<const ReferenceSurface>>>;
@@ -538,9 +454,9 @@ class AppState {
   bool update_region_view();
   bool update_cluster_report();
 
-  WorkshopJob workshop_job() const;                   // precondition: something is shown
-  bool workshop_is_of(const WorkshopJob& job) const;  // the present state and contract
-  bool workshop_known() const;                        // nothing is to be found out
+  WorkshopKey workshop_key() const;  // of what is shown; precondition: something is
+  WorkshopJob workshop_job() const;  // likewise
+  bool workshop_known() const;       // nothing is to be found out
   bool update_workshop();
   bool update_sheet();
   void follow_failure();
@@ -640,19 +556,14 @@ class AppState {
   mutable std::vector<int> selected_regions_;
   mutable std::pair<std::uint64_t, SharedClusters> selected_regions_of_;
 
-  BackgroundTask<Result<PreparedWorkshop>> workshop_task_;
   struct SheetFile {
     std::string name;
     std::optional<ToleranceSheet> loaded;  // none: it was written
   };
   BackgroundTask<Result<SheetFile>> sheet_task_;
-  std::uint64_t sheet_design_ = 0;             // opened_count_ of the design whose sheet it is
-  std::optional<WorkshopJob> workshop_asked_;  // the newest
-  std::shared_ptr<const PreparedWorkshop> workshop_;
-  std::optional<Error> workshop_error_;  // of the newest
-  std::uint64_t names_given_ = 0;        // how often
-  std::uint64_t workshop_names_ = 0;     // as that was for the newest job
-  mutable FailureList failure_list_;     // made anew by failure_list() where it is of another state
+  std::uint64_t sheet_design_ = 0;    // opened_count_ of the design whose sheet it is
+  std::uint64_t names_given_ = 0;     // how often
+  mutable FailureList failure_list_;  // made anew by failure_list() where it is of another state
   std::optional<ToleranceFailure> current_failure_;
   int next_failure_ = 0;
 
@@ -686,6 +597,7 @@ class AppState {
   SolveSession session_;
   AdviceTask advice_task_;
   ExportWork export_work_;
+  WorkshopWatch workshop_watch_;
 };
 
 }  // namespace planewright::ui

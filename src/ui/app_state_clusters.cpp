@@ -25,36 +25,6 @@ std::string regions_text(int count) {
 
 }  // namespace
 
-const char* name(ClusterSight sight) {
-  switch (sight) {
-    case ClusterSight::Regions:
-      return "regions";
-    case ClusterSight::Panels:
-      return "panels";
-    case ClusterSight::Beside:
-      return "beside";
-    case ClusterSight::Over:
-      return "over";
-  }
-  return "";
-}
-
-const char* name(Tool tool) {
-  switch (tool) {
-    case Tool::Look:
-      return "look";
-    case Tool::Box:
-      return "box";
-    case Tool::Split:
-      return "split";
-    case Tool::Merge:
-      return "merge";
-    case Tool::Paint:
-      return "paint";
-  }
-  return "";
-}
-
 // --- What is asked for -----------------------------------------------------------------------
 
 int AppState::fewest_regions() const {

@@ -12,7 +12,7 @@ std::optional<Error> AppState::why_no_export() const {
   if (!shown())
     return solving() ? no("The panels are being solved", "They can be exported as soon as there are some.")
                      : no("There are no panels yet", "Solve first (Space).");
-  if (workshop_error_) return workshop_error_;
+  if (workshop_error()) return workshop_error();
   if (solving_layer() == active_layer() && !polishing())
     return no("The panels are being solved", "They can be exported as soon as that comes to a result.");
   if (!up_to_date() || run(active_layer()).failed)
@@ -22,12 +22,13 @@ std::optional<Error> AppState::why_no_export() const {
 }
 
 std::optional<ExportJob> AppState::export_job(const ExportChoice& choice) const {
-  if (why_no_export() || !workshop_fits() || !workshop_->job.thorough) return std::nullopt;
-  ExportJob job{workshop_->model, workshop_->surface, document_.contract(), choice.layout};
+  if (why_no_export() || !workshop_fits()) return std::nullopt;
+  const PreparedWorkshop& known = *workshop();
+  if (!known.job.thorough) return std::nullopt;
+  ExportJob job{known.model, known.surface, document_.contract(), choice.layout};
   // Names that were kept leave the model as it was.
-  if (export_iterate_ == workshop_->job.iterate && export_model_ &&
-      export_model_->names == job.model->names && export_model_->model_unit == job.model->model_unit &&
-      export_model_->title == job.model->title)
+  if (export_iterate_ == known.job.iterate && export_model_ && export_model_->names == job.model->names &&
+      export_model_->model_unit == job.model->model_unit && export_model_->title == job.model->title)
     job.model = export_model_;
   return job;
 }
@@ -62,7 +63,7 @@ bool AppState::export_panels_to_workshop(const ExportChoice& choice, const std::
 
 void AppState::prepare(const ExportJob& job) {
   export_model_ = job.model;
-  export_iterate_ = workshop_->job.iterate;
+  export_iterate_ = workshop()->job.iterate;
   export_work_.prepare(job);
 }
 

@@ -14,11 +14,11 @@ constexpr const char* kCoplanarDemand = "coplanar-beams";
 
 }  // namespace
 
-const AppState::LayerRun& AppState::run(int layer) const {
+const LayerRun& AppState::run(int layer) const {
   return runs_[static_cast<std::size_t>(std::clamp(layer, 0, static_cast<int>(runs_.size()) - 1))];
 }
 
-AppState::LayerRun* AppState::find_run(std::uint64_t id) {
+LayerRun* AppState::find_run(std::uint64_t id) {
   if (id == 0) return nullptr;
   const auto found = std::find_if(runs_.begin(), runs_.end(), [&](const LayerRun& r) { return r.id == id; });
   return found == runs_.end() ? nullptr : &*found;
@@ -70,7 +70,7 @@ std::shared_ptr<const Iterate> AppState::finished(int layer,
   return same ? of.finished : nullptr;
 }
 
-AppState::LayerInputs AppState::inputs_of(int layer) const {
+LayerInputs AppState::inputs_of(int layer) const {
   const Design& design = document_.design();
   const Layer& of = design.layers[static_cast<std::size_t>(layer)];
   LayerInputs inputs;

@@ -125,7 +125,7 @@ bool AppState::update_saving() {
 }
 
 AppState::DocumentState AppState::document_state() const {
-  return {document_.revision(), names_given_};
+  return {document_.moment(), names_given_};
 }
 
 bool AppState::modified() const {

@@ -95,47 +95,33 @@ WorkshopJob AppState::workshop_job() const {
   return job;
 }
 
-bool AppState::workshop_is_of(const WorkshopJob& job) const {
+WorkshopKey AppState::workshop_key() const {
   const LayerRun& of = run(active_layer());
-  return of.shown && job.layer == of.id && job.iterate == of.shown->iterate &&
-         job.thorough == of.shown->final && job.contract == document_.contract() &&
-         job.mesh == document_.mesh() && job.reference == reference_ && workshop_names_ == names_given_;
+  return {of.id,      of.shown->iterate, of.shown->final, document_.contract(), document_.mesh(),
+          reference_, names_given_};
 }
 
 bool AppState::workshop_known() const {
-  return !workshop_in_sight || !shown() || (workshop_asked_ && workshop_is_of(*workshop_asked_));
+  return !workshop_in_sight || !shown() || workshop_watch_.asked_for(workshop_key());
 }
 
 bool AppState::update_workshop() {
-  bool changed = false;
-  if (auto made = workshop_task_.take()) {
-    changed = true;
-    if (*made) {
-      workshop_ = std::make_shared<const PreparedWorkshop>(std::move(**made));
-      workshop_error_.reset();
-      follow_failure();
-    } else {
-      workshop_error_ = made->error();
-    }
-  }
-  if (!workshop_task_.running() && !workshop_known()) {
-    workshop_names_ = names_given_;
-    workshop_asked_ = workshop_job();
-    workshop_task_.start(
-        [job = *workshop_asked_, before = workshop_] { return prepare_workshop(job, before.get()); }, wake_);
-  }
+  const bool changed = workshop_watch_.update();
+  if (changed) follow_failure();
+  if (!workshop_watch_.busy() && !workshop_known()) workshop_watch_.ask(workshop_key(), workshop_job());
   return changed;
 }
 
 std::shared_ptr<const PreparedWorkshop> AppState::workshop() const {
   const LayerRun& of = run(active_layer());
-  const bool fits = workshop_ && !workshop_error_ && of.shown && workshop_->job.layer == of.id &&
-                    same_panels(*workshop_->job.iterate->complex, *of.shown->iterate->complex);
-  return fits ? workshop_ : nullptr;
+  const auto& newest = workshop_watch_.newest();
+  const bool fits = newest && of.shown && newest->job.layer == of.id &&
+                    same_panels(*newest->job.iterate->complex, *of.shown->iterate->complex);
+  return fits ? newest : nullptr;
 }
 
 bool AppState::workshop_fits() const {
-  return workshop() != nullptr && workshop_is_of(workshop_->job);
+  return workshop() != nullptr && workshop_watch_.fits(workshop_key());
 }
 
 void AppState::keep_names(const WorkshopModel& model, int layer) {

@@ -16,18 +16,8 @@ namespace {
 void item(Desk& desk, Action action) {
   const ActionInfo& what = info(action);
   const bool enabled = desk.actions.enabled(action);
-  const bool toggles =
-      action == Action::AutoSolve || action == Action::Ghost || action == Action::Markers ||
-      action == Action::LockRange || action == Action::Convergence || action == Action::Schedule ||
-      action == Action::DarkTheme || action == Action::HideLayer || action == Action::SelectBox ||
-      action == Action::ModeDual || action == Action::ModePlanarize || action == Action::ModeCluster ||
-      action == Action::SplitRegion || action == Action::MergeRegions || action == Action::PaintRegions ||
-      action == Action::SightRegions || action == Action::SightBeside || action == Action::SightOver ||
-      action == Action::SightPanels || action == Action::ColourNone || action == Action::ColourPlanarity ||
-      action == Action::ColourDisplacement || action == Action::ColourFindings ||
-      action == Action::ColourTolerances || action == Action::PanelNames;
   if (ImGui::MenuItem(desk.actions.label(action).c_str(), what.shortcut.c_str(),
-                      toggles && desk.actions.checked(action), enabled)) {
+                      is_toggle(action) && desk.actions.checked(action), enabled)) {
     desk.actions.request(action);
   }
   desk.ui.record_item(what.name, enabled);

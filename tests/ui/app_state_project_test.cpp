@@ -57,6 +57,25 @@ TEST(AppStateProject, PanelsComeBackBitForBitAndAreNotSolvedAgain) {
   ASSERT_NE(again.report(), nullptr);
 }
 
+TEST(AppStateProject, WhatIsTakenBackNeedsNoSaving) {
+  const TemporaryFolder folder;
+  AppState state;
+  state.open_sample("dome", 60);
+  ASSERT_TRUE(settle(state));
+  EXPECT_FALSE(state.modified()) << "the solve that follows by itself is no change";
+  state.change_settings(with_fairing(state, 2.0), "Weight of fairing");
+  EXPECT_TRUE(state.modified());
+  ASSERT_TRUE(save(state, folder.path() / "a.planewright"));
+  EXPECT_FALSE(state.modified());
+  state.undo();
+  EXPECT_TRUE(state.modified());
+  state.redo();
+  EXPECT_FALSE(state.modified());
+  state.change_settings(with_fairing(state, 3.0), "Weight of fairing", "fairing");
+  state.change_settings(with_fairing(state, 2.0), "Weight of fairing", "fairing");  // dragged back
+  EXPECT_FALSE(state.modified());
+}
+
 TEST(AppStateProject, UndoComesBackToWhatWasSaved) {
   const TemporaryFolder folder;
   AppState state;
