@@ -11,6 +11,7 @@
 #include "ui/export_text.h"
 #include "ui/format.h"
 #include "ui/panels.h"
+#include "ui/typed_path.h"
 
 namespace planewright::ui {
 namespace {
@@ -44,7 +45,7 @@ std::string why_not(const Desk& desk) {
 // "out/" is "out": its parent is where "out" lies.
 fs::path chosen_folder(const ExportDialog& dialog) {
   std::error_code error;
-  const fs::path folder = fs::absolute(dialog.folder, error).lexically_normal();
+  const fs::path folder = fs::absolute(typed_path(dialog.folder), error).lexically_normal();
   return folder.has_filename() ? folder : folder.parent_path();
 }
 
@@ -70,6 +71,8 @@ void draw_header(Desk& desk) {
     std::string about = document.name();
     if (desk.state.shown())
       about += "  ·  " + format_count(desk.state.shown()->complex().plane_count(), "panel", "panels");
+    if (desk.state.layer_count() > 1)
+      about += " of " + document.design().layers[static_cast<std::size_t>(desk.state.active_layer())].name;
     about += "  ·  1 unit = 1 " + desk.state.unit();
     const ImVec2 from(at.x + taken, at.y);
     draw_text_aligned(draw, ui.theme().small(), from, ImVec2(right - size, at.y + size), 0.0f,

@@ -6,11 +6,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cstdlib>
 
 #include "core/edit/project_file.h"
 #include "core/mesh/mesh_io.h"
 #include "ui/format.h"
+#include "ui/typed_path.h"
 
 namespace planewright::ui {
 namespace {
@@ -86,11 +86,6 @@ Words words_of(FileBrowser::Purpose purpose) {
           "Choose"};
 }
 
-fs::path home_folder() {
-  const char* home = std::getenv("HOME");
-  return home != nullptr ? fs::path(home) : fs::path("/");
-}
-
 }  // namespace
 
 void FileBrowser::open(Purpose purpose, const fs::path& folder, std::string name) {
@@ -160,8 +155,7 @@ std::optional<fs::path> FileBrowser::accept() {
     trouble_ = saving() ? "Give the file a name." : "Choose a file, or type its name.";
     return std::nullopt;
   }
-  if (name == "~" || name.starts_with("~/")) name = home_folder().string() + name.substr(1);
-  fs::path path = fs::path(name).is_absolute() ? fs::path(name) : folder_ / name;
+  fs::path path = folder_ / typed_path(name);
   std::error_code error;
   if (choosing_folder()) {
     if (fs::exists(path, error) && !fs::is_directory(path, error)) {

@@ -184,14 +184,14 @@ void draw_stock(Desk& desk) {
     look.per_pixel = 10;
     look.reset_value = look.none = kNoLimit;
     look.from_none = usual.*side;
-    look.least = 0.0;
+    look.least = 1.0;
     look.width = width;
     look.tooltip = "Drag, turn the wheel, Ctrl click to type; left empty or double clicked: no limit.";
     const Edit edit = ui.quantity(name, value, look);
     finished = finished || edit.finished;
     if (!edit.changed) return;
     changed = true;
-    if (std::abs(value) >= kNoLimit || value <= 0) {
+    if (std::abs(value) >= kNoLimit) {
       sheet.stock.reset();
     } else {
       if (!sheet.stock) sheet.stock = usual;

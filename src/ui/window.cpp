@@ -402,6 +402,8 @@ void Window::frame() {
   draw_leaving(desk);
   if (const auto target = viewport_->take_context_request()) open_context_menu(desk, *target);
   draw_context_menu(desk);
+  // A control that vanishes while it is held (its card is closed, its tab left) never says that it is done.
+  if (state_.document().merging() && !ImGui::IsAnyItemActive() && !ui_->waiting()) state_.end_merge();
   actions_->apply_requested();
   if (std::exchange(shown_.export_dialog_wanted, false)) open_export_dialog(desk);
   apply_wishes();

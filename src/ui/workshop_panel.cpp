@@ -10,6 +10,7 @@
 #include "ui/failure_text.h"
 #include "ui/format.h"
 #include "ui/panels.h"
+#include "ui/schedule.h"
 
 namespace planewright::ui {
 namespace {
@@ -126,15 +127,19 @@ void draw_passport(Desk& desk) {
       ui.wrapped(describe(failure, *workshop->model) + ".", ui.colours().error, true);
   }
   ui.value_row("Area", format_with_unit(1e-6 * passport.area, "m²"));
+  ui.value_row("Perimeter", format_with_unit(passport.perimeter, "mm"));
   ui.value_row("Smallest rectangle",
                format_number(passport.width) + " × " + format_with_unit(passport.height, "mm"));
   ui.value_row("Planarity", format_with_unit(passport.planarity, "mm"));
   if (passport.distance) ui.value_row("Distance to reference", format_with_unit(*passport.distance, "mm"));
   if (passport.weight) ui.value_row("Weight", format_with_unit(*passport.weight, "kg"));
-  if (!workshop->class_of_panel.empty()) {
-    const auto of_class = static_cast<std::size_t>(workshop->class_of_panel[index]);
-    const auto members = static_cast<std::int64_t>(workshop->classes[of_class].members.size());
-    ui.value_row("Congruent panels", members > 1 ? format_count(members - 1, "other", "others") : "none");
+  if (!workshop->class_of_panel.empty() && workshop->class_of_panel[index] >= 0) {
+    const int of_class = workshop->class_of_panel[index];
+    const auto members =
+        static_cast<std::int64_t>(workshop->classes[static_cast<std::size_t>(of_class)].members.size());
+    ui.value_row("Class",
+                 class_label(of_class) +
+                     (members > 1 ? ", with " + format_count(members - 1, "other", "others") : ", alone"));
   }
   ui.gap(4);
   draw_sides(desk, *workshop, passport);

@@ -74,6 +74,21 @@ TEST_F(WindowTest, ALimitIsDraggedAsOneStepWhileVerdictsFollow) {
   EXPECT_EQ(run.status, 0) << run.output;
 }
 
+TEST_F(WindowTest, AGestureThatItsTabIsClosedUnderIsAStepOfItsOwn) {
+  const Playback run = play(kDomeAtTheWorkshop + R"(
+    expect history == 0
+    wheel "Findings/thickness" 3
+    click "Findings/tab Report"
+    wait_frames 20
+    click "Findings/tab Workshop"
+    wait_frames 3
+    wheel "Findings/thickness" 3
+    wait_frames 60
+    expect history == 2
+  )");
+  EXPECT_EQ(run.status, 0) << run.output;
+}
+
 TEST_F(WindowTest, NamesStandOnPanelsThatAreLargeEnough) {
   const Playback run = play(kDomeAtTheWorkshop + R"(
     expect names_drawn == 0
