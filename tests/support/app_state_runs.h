@@ -24,6 +24,13 @@ inline bool settle(ui::AppState& state) {
   return run_until(state, [&] { return state.settled() && !state.document().empty(); });
 }
 
+// A solved dome, and what the workshop makes of it.
+inline bool open_dome_at_the_workshop(ui::AppState& state, int panels) {
+  state.workshop_in_sight = true;
+  state.open_sample("dome", panels);
+  return settle(state);
+}
+
 // The active layer's settings with another weight of fairing.
 inline LayerSettings with_fairing(const ui::AppState& state, double weight) {
   LayerSettings settings = state.document().settings();

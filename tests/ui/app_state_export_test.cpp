@@ -10,10 +10,14 @@ namespace {
 
 using namespace test;
 
-bool open_dome(AppState& state) {
-  state.workshop_in_sight = true;
-  state.open_sample("dome", 60);
-  return settle(state);
+ExportChoice tables() {
+  ExportChoice choice;
+  choice.formats = {ExportFormat::Csv};
+  return choice;
+}
+bool prepare(AppState& state, const ExportChoice& choice) {
+  state.wanted_export = choice;
+  return run_until(state, [&] { return !state.export_preparing(); });
 }
 bool export_to(AppState& state, const std::filesystem::path& folder) {
   ExportChoice choice;
@@ -28,7 +32,7 @@ TEST(AppStateExport, SaysWhyThereIsNothingToExport) {
   AppState state;
   ASSERT_TRUE(state.why_no_export());
   EXPECT_FALSE(state.why_no_export()->remedy.empty());
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 60));
   EXPECT_FALSE(state.why_no_export());
 }
 
@@ -46,7 +50,7 @@ TEST(AppStateExport, WithoutPanelsNothingIsBegun) {
 TEST(AppStateExport, WritesAndKeepsTheNames) {
   const TemporaryFolder folder;
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 60));
   EXPECT_TRUE(state.document().given_names().empty());
   ASSERT_TRUE(export_to(state, folder / "out"));
   ASSERT_TRUE(state.export_outcome());
@@ -62,7 +66,7 @@ TEST(AppStateExport, WritesAndKeepsTheNames) {
 TEST(AppStateExport, NothingIsReplacedUnaskedAndTheWindowsWordsSayHow) {
   const TemporaryFolder folder;
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 60));
   ASSERT_TRUE(export_to(state, folder / "out"));
   ASSERT_TRUE(export_to(state, folder / "out"));
   ASSERT_TRUE(state.export_error());
@@ -76,11 +80,9 @@ TEST(AppStateExport, NothingIsReplacedUnaskedAndTheWindowsWordsSayHow) {
 TEST(AppStateExport, StoppedItGivesNoNamesAndLeavesNoTrace) {
   const TemporaryFolder folder;
   AppState state;
-  ASSERT_TRUE(open_dome(state));
-  ExportChoice choice;
-  choice.formats = {ExportFormat::Csv};
-  state.wanted_export = choice;
-  ASSERT_TRUE(run_until(state, [&] { return !state.export_preparing(); }));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 60));
+  ExportChoice choice = tables();
+  ASSERT_TRUE(prepare(state, choice));
   choice.layout.margin = 20.0;  // so that it has to be prepared first
   ASSERT_TRUE(state.export_panels_to_workshop(choice, folder / "out", false));
   EXPECT_FALSE(state.export_panels_to_workshop(choice, folder / "other", false)) << "one at a time";
@@ -97,7 +99,7 @@ TEST(AppStateExport, StoppedItGivesNoNamesAndLeavesNoTrace) {
 TEST(AppStateExport, AnErrorIsToldAndGivesNoNames) {
   const TemporaryFolder folder;
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 60));
   ASSERT_TRUE(export_to(state, folder / "no" / "such" / "place"));
   EXPECT_TRUE(state.export_error());
   EXPECT_FALSE(state.export_outcome());
@@ -107,11 +109,9 @@ TEST(AppStateExport, AnErrorIsToldAndGivesNoNames) {
 TEST(AppStateExport, AfterTheDialogIsClosedTheResultIsAMessage) {
   const TemporaryFolder folder;
   AppState state;
-  ASSERT_TRUE(open_dome(state));
-  ExportChoice choice;
-  choice.formats = {ExportFormat::Csv};
-  state.wanted_export = choice;
-  ASSERT_TRUE(run_until(state, [&] { return !state.export_preparing(); }));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 60));
+  ExportChoice choice = tables();
+  ASSERT_TRUE(prepare(state, choice));
   ASSERT_TRUE(state.export_panels_to_workshop(choice, folder / "out", false));
   state.wanted_export.reset();
   ASSERT_TRUE(run_until(state, [&] { return !state.exporting_to_workshop(); }));
@@ -130,7 +130,7 @@ TEST(AppStateExport, AfterTheDialogIsClosedTheResultIsAMessage) {
 
 TEST(AppStateExport, AChangeOfTheContractIsPreparedAnew) {
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 60));
   state.wanted_export = ExportChoice();
   ASSERT_TRUE(run_until(state, [&] { return state.export_preparation() != nullptr; }));
   EXPECT_FALSE(state.export_preparation()->made.solids);

@@ -9,12 +9,6 @@ namespace {
 
 using namespace test;
 
-bool open_dome(AppState& state) {
-  state.workshop_in_sight = true;
-  state.open_sample("dome", 100);
-  return settle(state);
-}
-
 void limit_edges(AppState& state, double least) {
   WorkshopContract contract = state.contract();
   contract.tolerances.edge_min = least;
@@ -36,7 +30,7 @@ TEST(AppStateWorkshop, IsMadeOnlyWhileItIsInSight) {
 
 TEST(AppStateWorkshop, LimitsAreAStepThatSolvesNothing) {
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 100));
   const auto ticket = state.ticket();
   ASSERT_EQ(state.workshop()->verdicts.failed, 0);
   const auto model = state.workshop()->model;
@@ -53,7 +47,7 @@ TEST(AppStateWorkshop, LimitsAreAStepThatSolvesNothing) {
 
 TEST(AppStateWorkshop, TheUnitChangesVerdictsAndNoCoordinate) {
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 100));
   EXPECT_EQ(state.unit(), "m");
   limit_edges(state, 10.0);
   const auto fingerprint = state.shown()->fingerprint;
@@ -70,7 +64,7 @@ TEST(AppStateWorkshop, TheUnitChangesVerdictsAndNoCoordinate) {
 
 TEST(AppStateWorkshop, GoingToAFailureSelectsItsPanelAndLooksThere) {
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 100));
   limit_edges(state, 1e5);
   ASSERT_TRUE(settle(state));
   state.walk_failures(1);
@@ -95,7 +89,7 @@ TEST(AppStateWorkshop, GoingToAFailureSelectsItsPanelAndLooksThere) {
 
 TEST(AppStateWorkshop, TakingBackALimitLeavesThePanelsThatWereSolvedMeanwhile) {
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 100));
   state.change_settings(with_fairing(state, 0.5), "Weight of fairing");
   limit_edges(state, 1e5);
   ASSERT_TRUE(settle(state));
@@ -111,7 +105,7 @@ TEST(AppStateWorkshop, TakingBackALimitLeavesThePanelsThatWereSolvedMeanwhile) {
 
 TEST(AppStateWorkshop, OfPanelsBeforeAFlipNothingIsToldOfThoseAfterIt) {
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 100));
   limit_edges(state, 1e5);
   ASSERT_TRUE(settle(state));
   int edge = 0;
@@ -132,7 +126,7 @@ TEST(AppStateWorkshop, OfPanelsBeforeAFlipNothingIsToldOfThoseAfterIt) {
 
 TEST(AppStateWorkshop, NamesThatWereGivenStayWhenPanelsMove) {
   AppState state;
-  ASSERT_TRUE(open_dome(state));
+  ASSERT_TRUE(open_dome_at_the_workshop(state, 100));
   WorkshopModel given = *state.workshop()->model;
   given.names[0] = "mine";
   state.keep_names(given);

@@ -4,6 +4,18 @@
 namespace planewright {
 namespace {
 
+// A solved dome with its schedule open.
+std::string schedule_of_dome(int panels) {
+  return "sample dome " + std::to_string(panels) + R"(
+    wait_loaded 20
+    wait_solved 100
+    key E
+    wait_frames 3
+    wait_solved 60
+    wait_frames 3
+)";
+}
+
 TEST_F(WindowTest, OpensTheScheduleBesideTheConvergence) {
   const Playback run = play(R"(
     sample dome 60
@@ -58,14 +70,7 @@ TEST_F(WindowTest, OpensTheScheduleBesideTheConvergence) {
 }
 
 TEST_F(WindowTest, OrdersTheScheduleByAClickOnAColumn) {
-  const Playback run = play(R"(
-    sample dome 60
-    wait_loaded 20
-    wait_solved 100
-    key E
-    wait_frames 3
-    wait_solved 60
-    wait_frames 3
+  const Playback run = play(schedule_of_dome(60) + R"(
     expect schedule.0.name == A-01
     remember schedule_made made
     click "Schedule/column area"
@@ -92,14 +97,7 @@ TEST_F(WindowTest, OrdersTheScheduleByAClickOnAColumn) {
 }
 
 TEST_F(WindowTest, FiltersTheScheduleByTyping) {
-  const Playback run = play(R"(
-    sample dome 60
-    wait_loaded 20
-    wait_solved 100
-    key E
-    wait_frames 3
-    wait_solved 60
-    wait_frames 3
+  const Playback run = play(schedule_of_dome(60) + R"(
     remember schedule_rows all
     click "Schedule/filter"
     wait_frames 3
@@ -147,14 +145,7 @@ TEST_F(WindowTest, FiltersTheScheduleByTyping) {
 }
 
 TEST_F(WindowTest, SelectsPanelsInTheScheduleAndTheModel) {
-  const Playback run = play(R"(
-    sample dome 200
-    wait_loaded 20
-    wait_solved 100
-    key E
-    wait_frames 3
-    wait_solved 60
-    wait_frames 3
+  const Playback run = play(schedule_of_dome(200) + R"(
     click "Schedule/column area"
     wait_frames 3
     # A click selects the row's panel and leaves the view alone.
@@ -254,14 +245,7 @@ TEST_F(WindowTest, UndoesBesideTheScheduleWhileNothingIsTyped) {
 }
 
 TEST_F(WindowTest, CopiesTheScheduleForASpreadsheet) {
-  const Playback run = play(R"(
-    sample dome 60
-    wait_loaded 20
-    wait_solved 100
-    key E
-    wait_frames 3
-    wait_solved 60
-    wait_frames 3
+  const Playback run = play(schedule_of_dome(60) + R"(
     click "Schedule/filter"
     wait_frames 3
     type "A-01"
